@@ -1,0 +1,45 @@
+# Compile options that every target of ours shares, and the function that makes one module's library.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+if(TEAPATH_CUDA)
+    enable_language(CUDA)
+    find_package(CUDAToolkit REQUIRED)
+endif()
+
+# Warnings of our own code. Numbers of the path tracer stay IEEE: no -ffast-math on the host, so that
+# a NaN can be seen; errno and trapping are not used. One rounding for every compiler: no contraction.
+add_library(teapath_options INTERFACE)
+target_include_directories(teapath_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
+target_compile_options(teapath_options INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+                              -Wcast-align -Woverloaded-virtual -fno-math-errno -fno-trapping-math>
+    $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall,-Wextra,-Wshadow>)
+if(TEAPATH_WERROR)
+    target_compile_options(teapath_options INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:-Werror>
+        $<$<COMPILE_LANGUAGE:CUDA>:-Werror=all-warnings -Xcompiler=-Werror>)
+endif()
+if(TEAPATH_SANITIZE)
+    target_compile_options(teapath_options INTERFACE
+        $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${TEAPATH_SANITIZE} -fno-omit-frame-pointer
+                                  -fno-sanitize-recover=undefined>)
+    target_link_options(teapath_options INTERFACE -fsanitize=${TEAPATH_SANITIZE})
+endif()
+
+# teapath_module(NAME SOURCES … [USES module …] [LIBRARIES target …])
+# The library teapath_NAME from src/NAME; USES are the modules that it may see, as design has it.
+function(teapath_module name)
+    cmake_parse_arguments(arg "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+    set(library teapath_${name})
+    add_library(${library} STATIC ${arg_SOURCES})
+    add_library(teapath::${name} ALIAS ${library})
+    list(TRANSFORM arg_USES PREPEND teapath_)
+    target_link_libraries(${library} PUBLIC teapath_options ${arg_USES} PRIVATE ${arg_LIBRARIES})
+endfunction()

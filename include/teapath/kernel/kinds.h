@@ -1,0 +1,50 @@
+// The enums that scene, kernels, files and panels share. Names and labels: scene/enum_tables.h.
+#pragma once
+
+#include <cstdint>
+
+namespace tp {
+
+/// What a ray can hit; the tag of the union Hittable.
+enum class HittableKind : uint8_t { Sphere, Ellipsoid, Rectangle, Box, Disk, Triangle };
+
+enum class MaterialKind : uint8_t { Lambertian, Metal, Dielectric, DiffuseLight };
+
+enum class TextureKind : uint8_t { Constant, Checker, Image };
+
+/// Which side of a shape a light emits on. Auto: front for flat shapes, outside for closed ones.
+/// Front is the side of the normal; Outside the outer side of a closed shape even where its normal
+/// points inwards, the front of a flat one.
+enum class EmissionSide : uint8_t { Auto, Front, Outside, Both };
+
+enum class FresnelRule : uint8_t { Exact, Schlick };
+
+/// Checker in texture coordinates (parity of floor(u * cells) + floor(v * cells)) or in world space
+/// (sign of sin(s x) sin(s y) sin(s z)).
+enum class CheckerMode : uint8_t { Uv, World };
+
+enum class WrapMode : uint8_t { Repeat, Clamp, Mirror };
+enum class FilterMode : uint8_t { Nearest, Bilinear };
+
+/// What the numbers of an image mean. Auto: sRGB for 8 and 16 bit, linear for float.
+enum class ColorSpace : uint8_t { Auto, Srgb, Linear };
+
+enum class BackgroundKind : uint8_t { Gradient, Constant, Image };
+
+enum class IntegratorKind : uint8_t {
+    Path,    // light sampling, multiple importance sampling, Russian roulette
+    Book,    // the plain integrator of Ray Tracing in One Weekend: no light sampling, no roulette
+    Normal,  // (n + 1) / 2 of the shading normal, background elsewhere
+    Flat     // the material's colour as it is, without light
+};
+
+/// How a Lambertian surface scatters in the Book integrator. Cosine is Lambert's law; Hemisphere
+/// (uniform) and CosineCubed (normal plus a point in the unit ball) are kept for comparison.
+enum class ScatterRule : uint8_t { Cosine, Hemisphere, CosineCubed };
+
+enum class SamplerKind : uint8_t { Tea, Sobol };
+
+/// The curve from linear radiance to display value.
+enum class ToneCurve : uint8_t { Srgb, Gamma2, Linear };
+
+}  // namespace tp

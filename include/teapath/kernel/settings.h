@@ -1,0 +1,31 @@
+// Settings that the kernels read; the scene file, the command line and the panels write them.
+#pragma once
+
+#include <teapath/kernel/kinds.h>
+
+#include <cstdint>
+
+namespace tp {
+
+struct PathSettings {
+    IntegratorKind integrator = IntegratorKind::Path;
+    int32_t max_depth = 50;      // path segments, 1 to 4096; 1 = emission seen by the camera only
+    int32_t roulette_depth = 5;  // segments before Russian roulette starts; 0 = never
+    bool light_sampling = true;  // next-event estimation with multiple importance sampling
+    ScatterRule scatter = ScatterRule::Cosine;  // Book integrator only
+    SamplerKind sampler = SamplerKind::Tea;
+    int32_t tea_rounds = 8;   // of the path's random numbers, 6 to 32
+    int32_t key_rounds = 16;  // of the key derivation, 6 to 32
+    uint64_t seed = 0;        // one image for each seed; the low 32 bits key TEA first
+
+    friend bool operator==(const PathSettings&, const PathSettings&) = default;
+};
+
+struct DisplaySettings {
+    float exposure = 0;  // stops; radiance is multiplied by 2^exposure
+    ToneCurve curve = ToneCurve::Srgb;
+
+    friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;
+};
+
+}  // namespace tp

@@ -1,0 +1,113 @@
+// Names and labels of every enum that a user can choose from: JSON, command line and menus.
+#pragma once
+
+#include <teapath/core/enum_table.h>
+#include <teapath/kernel/kinds.h>
+
+namespace tp {
+
+template <>
+struct EnumTable<MaterialKind> {
+    using E = MaterialKind;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::Lambertian, "lambertian", "Lambertian"},
+        EnumRow<E>{E::Metal, "metal", "Metal"},
+        EnumRow<E>{E::Dielectric, "dielectric", "Dielectric"},
+        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"}};
+};
+
+template <>
+struct EnumTable<TextureKind> {
+    using E = TextureKind;
+    static constexpr std::array rows = {EnumRow<E>{E::Constant, "constant", "Constant"},
+                                        EnumRow<E>{E::Checker, "checker", "Checker"},
+                                        EnumRow<E>{E::Image, "image", "Image"}};
+};
+
+template <>
+struct EnumTable<EmissionSide> {
+    using E = EmissionSide;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::Auto, "auto", "Automatic"}, EnumRow<E>{E::Front, "front", "Front"},
+        EnumRow<E>{E::Outside, "outside", "Outside"}, EnumRow<E>{E::Both, "both", "Both sides"}};
+};
+
+template <>
+struct EnumTable<FresnelRule> {
+    using E = FresnelRule;
+    static constexpr std::array rows = {EnumRow<E>{E::Exact, "exact", "Exact"},
+                                        EnumRow<E>{E::Schlick, "schlick", "Schlick"}};
+};
+
+template <>
+struct EnumTable<CheckerMode> {
+    using E = CheckerMode;
+    static constexpr std::array rows = {EnumRow<E>{E::Uv, "uv", "Texture coordinates"},
+                                        EnumRow<E>{E::World, "world", "World space"}};
+};
+
+template <>
+struct EnumTable<WrapMode> {
+    using E = WrapMode;
+    static constexpr std::array rows = {EnumRow<E>{E::Repeat, "repeat", "Repeat"},
+                                        EnumRow<E>{E::Clamp, "clamp", "Clamp"},
+                                        EnumRow<E>{E::Mirror, "mirror", "Mirror"}};
+};
+
+template <>
+struct EnumTable<FilterMode> {
+    using E = FilterMode;
+    static constexpr std::array rows = {EnumRow<E>{E::Nearest, "nearest", "Nearest"},
+                                        EnumRow<E>{E::Bilinear, "bilinear", "Bilinear"}};
+};
+
+template <>
+struct EnumTable<ColorSpace> {
+    using E = ColorSpace;
+    static constexpr std::array rows = {EnumRow<E>{E::Auto, "auto", "Automatic"},
+                                        EnumRow<E>{E::Srgb, "srgb", "sRGB"},
+                                        EnumRow<E>{E::Linear, "linear", "Linear"}};
+};
+
+template <>
+struct EnumTable<BackgroundKind> {
+    using E = BackgroundKind;
+    static constexpr std::array rows = {EnumRow<E>{E::Gradient, "gradient", "Gradient"},
+                                        EnumRow<E>{E::Constant, "constant", "Constant"},
+                                        EnumRow<E>{E::Image, "image", "Image"}};
+};
+
+template <>
+struct EnumTable<IntegratorKind> {
+    using E = IntegratorKind;
+    static constexpr std::array rows = {EnumRow<E>{E::Path, "path", "Path tracing"},
+                                        EnumRow<E>{E::Book, "book", "Book (no light sampling)"},
+                                        EnumRow<E>{E::Normal, "normal", "Normals"},
+                                        EnumRow<E>{E::Flat, "flat", "Flat colour"}};
+};
+
+template <>
+struct EnumTable<ScatterRule> {
+    using E = ScatterRule;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::Cosine, "cosine", "Cosine (Lambert)"},
+        EnumRow<E>{E::Hemisphere, "hemisphere", "Uniform hemisphere"},
+        EnumRow<E>{E::CosineCubed, "cosine_cubed", "Cosine cubed (point in ball)"}};
+};
+
+template <>
+struct EnumTable<SamplerKind> {
+    using E = SamplerKind;
+    static constexpr std::array rows = {EnumRow<E>{E::Tea, "tea", "TEA (independent)"},
+                                        EnumRow<E>{E::Sobol, "sobol", "Owen-scrambled Sobol"}};
+};
+
+template <>
+struct EnumTable<ToneCurve> {
+    using E = ToneCurve;
+    static constexpr std::array rows = {EnumRow<E>{E::Srgb, "srgb", "sRGB"},
+                                        EnumRow<E>{E::Gamma2, "gamma2", "Gamma 2 (books)"},
+                                        EnumRow<E>{E::Linear, "linear", "Linear"}};
+};
+
+}  // namespace tp

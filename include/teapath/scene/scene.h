@@ -1,0 +1,71 @@
+// The document: everything that a scene file holds, as plain values. Copies are snapshots (images
+// are shared), == is a test. Nothing here is derived; BVH, lights and arrays are made in device/.
+#pragma once
+
+#include <teapath/kernel/settings.h>
+#include <teapath/scene/camera.h>
+#include <teapath/scene/generator.h>
+#include <teapath/scene/material.h>
+#include <teapath/scene/object.h>
+#include <teapath/scene/texture.h>
+
+#include <string>
+#include <vector>
+
+namespace tp {
+
+struct Background {
+    BackgroundKind kind = BackgroundKind::Gradient;
+    Double3 bottom{1, 1, 1};  // Gradient: lerp(bottom, top, (y + 1) / 2) of the unit direction
+    Double3 top{0.5, 0.7, 1.0};
+    Double3 color{0, 0, 0};  // Constant
+    ImageFile file;          // Image: equirectangular; -z at its edges, +x a quarter from the left
+    ColorSpace color_space = ColorSpace::Auto;
+    double rotation = 0;  // Image: degrees about y
+    double strength = 1;  // multiplies every kind
+
+    friend bool operator==(const Background&, const Background&) = default;
+};
+
+struct RenderSettings {
+    int width = 1280;  // pixels, 1 to 65,536; width * height at most 2^28
+    int height = 720;
+    int samples = 64;  // per pixel, 1 to 2^30
+    PathSettings path;
+
+    friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+};
+
+struct Scene {
+    std::string name;
+    std::string description;
+    std::vector<Camera> cameras;  // at least one after loading
+    CameraId active_camera;       // the one to render; none = the first
+    std::vector<Object> objects;
+    std::vector<Generator> generators;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    Background background;
+    RenderSettings render;
+    DisplaySettings display;
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// The thing with that id, or null. Linear in the number of things.
+const Material* find(const Scene& scene, MaterialId id);
+const Texture* find(const Scene& scene, TextureId id);
+const Object* find(const Scene& scene, ObjectId id);
+const Camera* find(const Scene& scene, CameraId id);
+
+/// The camera to render: the active one, else the first, else a default camera.
+Camera active_camera(const Scene& scene);
+
+/// The focus distance that a camera has in fact (at look_at where it says 0).
+double effective_focus_distance(const Camera& camera);
+
+/// A scene whose generators have become objects and materials (ids beyond the existing ones,
+/// deterministic), and `generators` is empty. Everything else is as before.
+Scene expand_generators(const Scene& scene);
+
+}  // namespace tp

@@ -1,0 +1,13 @@
+// The test runner: doctest's options, and --backend host|cuda for the tests that render.
+#define DOCTEST_CONFIG_IMPLEMENT
+#include "support/backend_option.h"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+int main(int argc, char** argv) {
+    for (int i = 1; i + 1 < argc; ++i)
+        if (std::strcmp(argv[i], "--backend") == 0) tp::test::backend_name() = argv[i + 1];
+    return doctest::Context(argc, argv).run();
+}
