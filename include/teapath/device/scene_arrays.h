@@ -1,0 +1,60 @@
+// The scene as the kernels read it: flat arrays, derived from the document and never edited.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <teapath/kernel/launch_params.h>
+#include <teapath/kernel/records.h>
+#include <teapath/scene/scene.h>
+
+namespace tp {
+
+/// Parts of the arrays, as bits, for partial rebuilds and uploads.
+enum class SceneParts : uint32_t {
+    None = 0,
+    Geometry = 1,    // hittables, nodes, lights
+    Materials = 2,   // material and texture records
+    Texels = 4,      // pixels of images
+    Parameters = 8,  // camera, background, settings
+    All = 15
+};
+constexpr SceneParts operator|(SceneParts a, SceneParts b) {
+    return static_cast<SceneParts>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
+}
+constexpr bool has(SceneParts parts, SceneParts part) {
+    return (static_cast<uint32_t>(parts) & static_cast<uint32_t>(part)) != 0;
+}
+
+struct BvhStats {
+    double sah_cost = 0;  // expected steps of a random ray through the root box
+    int depth = 0;        // levels of nodes; the traversal stack never holds more entries
+    int leaf_count = 0;
+    double build_seconds = 0;
+};
+
+struct SceneArrays {
+    std::vector<Hittable> hittables;  // in the order of the tree's leaves
+    std::vector<BvhNode> nodes;       // node 0 is the root; empty for an empty scene
+    std::vector<LightRecord> lights;
+    std::vector<MaterialRecord> materials;
+    std::vector<uint32_t> material_ids;  // MaterialId::value of each record
+    std::vector<TextureRecord> textures;
+    std::vector<std::byte> texels;  // all images, each aligned to 16 bytes
+    BackgroundRecord background;
+    CameraRecord camera;
+    PathSettings settings;
+    uint32_t features = 0;  // SceneFeature bits that the scene needs
+    BvhStats bvh;
+
+    size_t bytes() const;
+};
+
+/// Rebuilds `parts` of the arrays from the document, on all cores. The scene must be valid
+/// (validate() finds nothing fatal); generators are expanded here.
+void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays);
+
+/// Which parts of the arrays differ between two snapshots.
+SceneParts changed_parts(const Scene& before, const Scene& after);
+
+}  // namespace tp

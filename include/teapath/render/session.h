@@ -1,0 +1,69 @@
+// A running render: takes snapshots of the scene, keeps the flat arrays and the backend in step
+// with them, and adds samples. One thread uses a session.
+//
+// What a change resets:
+//   | changed                              | rebuilt                      | film    |
+//   | exposure, tone curve, names          | nothing                      | kept    |
+//   | camera, seed, any path setting       | the launch parameters        | emptied |
+//   | size                                 | the film                     | emptied |
+//   | material, texture, background        | their records, the lights    | emptied |
+//   | object: transform, shape, material   | hittables, tree, lights      | emptied |
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <teapath/device/scene_arrays.h>
+#include <teapath/render/backend.h>
+#include <teapath/render/film_image.h>
+#include <teapath/scene/scene.h>
+
+namespace tp {
+
+struct SessionOptions {
+    BackendKind backend = BackendKind::Auto;  // Auto: CUDA where it works, else host
+    int device = 0;                           // CUDA device number
+    int threads = 0;                          // of the host backend; 0 = all cores
+    bool features = false;                    // keep the feature planes of FilmImage
+};
+
+class Session {
+public:
+    /// Throws Error(Device) if a backend that was named cannot start. Auto logs one line where it
+    /// falls back to the host.
+    explicit Session(const SessionOptions& options);
+    ~Session();
+
+    /// Takes a snapshot; the table above says what it resets.
+    void sync(std::shared_ptr<const Scene> scene);
+
+    /// Adds this many samples to every pixel. Returns false if cancelled on the way: the film is
+    /// then empty again.
+    bool step(int64_t samples);
+
+    /// Asks a step under way, from any thread, to end early.
+    void cancel() { cancel_ = true; }
+
+    int64_t samples() const { return samples_; }  // per pixel, in the film
+    FilmImage film() const;
+    std::vector<uint8_t> display() const;  // RGB bytes after the scene's display settings
+
+    std::string backend_name() const { return backend_->name(); }
+    RenderCounters counters() const { return backend_->counters(); }
+    size_t memory_bytes() const { return backend_->memory_bytes(); }
+    const SceneArrays& arrays() const { return arrays_; }
+
+private:
+    SessionOptions options_;
+    std::unique_ptr<Backend> backend_;
+    std::shared_ptr<const Scene> scene_;
+    SceneArrays arrays_;
+    FilmSetup film_setup_;
+    int64_t samples_ = 0;
+    std::atomic<bool> cancel_ = false;
+};
+
+}  // namespace tp
