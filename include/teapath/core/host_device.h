@@ -43,6 +43,23 @@ TP_HD float bits_to_float(uint32_t bits) {
 #endif
 }
 
+/// The smaller and the larger of two numbers. The host returns b where either is NaN (one SSE
+/// instruction), the device the one that is a number.
+TP_HD float minimum(float a, float b) {
+#if defined(__CUDA_ARCH__)
+    return fminf(a, b);
+#else
+    return a < b ? a : b;
+#endif
+}
+TP_HD float maximum(float a, float b) {
+#if defined(__CUDA_ARCH__)
+    return fmaxf(a, b);
+#else
+    return a > b ? a : b;
+#endif
+}
+
 /// 1 / sqrt(x) for x > 0; on the device the hardware's approximation (2 ulp).
 TP_HD float rsqrt(float x) {
 #if defined(__CUDA_ARCH__)

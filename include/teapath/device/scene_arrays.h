@@ -13,11 +13,10 @@ namespace tp {
 /// Parts of the arrays, as bits, for partial rebuilds and uploads.
 enum class SceneParts : uint32_t {
     None = 0,
-    Geometry = 1,    // hittables, nodes, lights
-    Materials = 2,   // material and texture records
-    Texels = 4,      // pixels of images
-    Parameters = 8,  // camera, background, settings
-    All = 15
+    Geometry = 1,    // hittables and nodes
+    Materials = 2,   // material and texture records, texels, background
+    Parameters = 4,  // camera and settings
+    All = 7          // lights follow from geometry and materials
 };
 constexpr SceneParts operator|(SceneParts a, SceneParts b) {
     return static_cast<SceneParts>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
@@ -44,7 +43,9 @@ struct SceneArrays {
     BackgroundRecord background;
     CameraRecord camera;
     PathSettings settings;
+    Bounds bounds;          // of all hittables
     uint32_t features = 0;  // SceneFeature bits that the scene needs
+    bool brute_force = false;  // tests: traversal visits every hittable
     BvhStats bvh;
 
     size_t bytes() const;

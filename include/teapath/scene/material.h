@@ -20,8 +20,9 @@ struct Material {
     double exterior_ior = 1;  // Dielectric: index before the normal
     FresnelRule fresnel = FresnelRule::Exact;
 
-    TexturedColor emission{{1, 1, 1}, {}};  // DiffuseLight: radiance per channel
-    double strength = 1;                    // DiffuseLight: multiplies emission
+    bool emits = false;                     // other kinds than DiffuseLight: emits beside scattering
+    TexturedColor emission{{1, 1, 1}, {}};  // radiance per channel of what emits
+    double strength = 1;                    // multiplies emission
     EmissionSide side = EmissionSide::Auto;
 
     double opacity = 1;  // of every kind: share of light that meets the material; the rest

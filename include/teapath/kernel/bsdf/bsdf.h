@@ -1,0 +1,62 @@
+// The bsdf of a surface point: a tag and the parameters of one lobe model, with one switch per
+// operation. A new material is a file beside this one, a case in each switch here and in
+// material.h, a row in the enum table, a test.
+#pragma once
+
+#include <teapath/kernel/bsdf/dielectric.h>
+#include <teapath/kernel/bsdf/lambertian.h>
+#include <teapath/kernel/bsdf/metal.h>
+
+namespace tp {
+
+struct Bsdf {
+    MaterialKind kind;
+    FresnelRule fresnel;
+    ScatterRule scatter;
+    Vec3 color;   // albedo, reflectance or tint
+    Vec3 normal;  // unit, on the side of wo
+    Real fuzz;    // Metal
+    Real eta;     // Dielectric: index on the far side over index on the side of wo
+};
+
+/// True if every lobe is a delta: light sampling finds nothing.
+TP_HD bool is_specular(const Bsdf& b) {
+    return b.kind == MaterialKind::Dielectric || (b.kind == MaterialKind::Metal && b.fuzz <= 0);
+}
+
+/// f(wo, wi) |cos(wi)|, without delta lobes.
+TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
+    switch (b.kind) {
+        case MaterialKind::Lambertian: return lambertian_eval(b.color, b.normal, wi);
+        case MaterialKind::Metal: return metal_eval(b.color, b.fuzz, b.normal, wo, wi);
+        case MaterialKind::Dielectric:
+        case MaterialKind::DiffuseLight: break;
+    }
+    return {0, 0, 0};
+}
+
+/// Density of bsdf_sample over solid angle, without delta lobes.
+TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
+    switch (b.kind) {
+        case MaterialKind::Lambertian: return lambertian_pdf(b.normal, wi);
+        case MaterialKind::Metal: return metal_pdf(b.fuzz, b.normal, wo, wi);
+        case MaterialKind::Dielectric:
+        case MaterialKind::DiffuseLight: break;
+    }
+    return 0;
+}
+
+/// A direction with density bsdf_pdf, or of a delta lobe; `u` and `u3` are uniform in [0, 1).
+TP_HD BsdfSample bsdf_sample(const Bsdf& b, Vec3 wo, Vec2 u, Real u3) {
+    switch (b.kind) {
+        case MaterialKind::Lambertian:
+            return lambertian_sample_by_rule(b.scatter, b.color, b.normal, u, u3);
+        case MaterialKind::Metal: return metal_sample(b.color, b.fuzz, b.normal, wo, u, u3);
+        case MaterialKind::Dielectric:
+            return dielectric_sample(b.color, b.eta, b.fresnel, b.normal, wo, u.x);
+        case MaterialKind::DiffuseLight: break;
+    }
+    return {};
+}
+
+}  // namespace tp

@@ -1,0 +1,44 @@
+// What the camera sees first, for the feature planes: a pass of its own, since every sample's
+// camera ray can be made again from its number.
+#pragma once
+
+#include <teapath/kernel/film_view.h>
+#include <teapath/kernel/path_steps.h>
+
+namespace tp {
+
+/// Adds what sample `sample` of pixel (x, y) meets first.
+template <uint32_t kFeatures>
+TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint64_t sample, FeatureSum& sum) {
+    const Sampler sampler = path_sampler(params, y * static_cast<uint32_t>(params.width) + x, sample);
+    const PathState path = start_camera_path<kFeatures>(params, sampler, x, y);
+    const Hit hit = intersect<kFeatures>(params, path);
+    if (hit.index == kNoHit) {
+        sum.albedo += background_radiance<kFeatures>(params.scene, path.direction);
+        return;
+    }
+    const Hittable& hittable = params.scene.hittables[hit.index];
+    const MaterialRecord& material = params.scene.materials[hittable.material];
+    const Surface s = make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
+    const ColorRef& ref = material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
+    sum.albedo += Vec3(material_color<kFeatures>(params.scene, ref, s));
+    sum.normal += s.normal;
+    sum.depth += dot(s.point.position - params.camera.origin, params.camera.forward);
+    sum.hits += 1;
+}
+
+/// The hittable at the middle of pixel (x, y) through the middle of the lens, or kNoHit.
+template <uint32_t kFeatures>
+TP_HD uint32_t hittable_at(const LaunchParams& params, Real x, Real y) {
+    CameraRecord pinhole = params.camera;
+    pinhole.lens_radius = 0;
+    const CameraRay ray = camera_ray(pinhole, {x, y}, static_cast<Real>(params.width), static_cast<Real>(params.height), {0, 0});
+    PathState path;
+    path.origin = ray.origin;
+    path.direction = ray.direction;
+    path.t_max = ray.t_max;
+    skip_to_scene(params.scene, path);
+    return intersect<kFeatures>(params, path).index;
+}
+
+}  // namespace tp

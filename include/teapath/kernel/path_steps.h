@@ -1,0 +1,239 @@
+// Path tracing as steps on a PathState: start a camera path, intersect, shade, connect to a light,
+// finish. Steps know no schedule: an executor calls them, path by path on the host, lanes of many
+// paths on a GPU. kFeatures names what the scene contains; code for the rest is not compiled.
+#pragma once
+
+#include <teapath/kernel/background.h>
+#include <teapath/kernel/camera_ray.h>
+#include <teapath/kernel/dimensions.h>
+#include <teapath/kernel/launch_params.h>
+#include <teapath/kernel/light.h>
+#include <teapath/kernel/material.h>
+#include <teapath/kernel/path_state.h>
+#include <teapath/kernel/sampler.h>
+#include <teapath/kernel/traverse.h>
+
+namespace tp {
+
+/// Surfaces that a path may go straight through, and segments of a shadow query.
+inline constexpr uint32_t kMaxPassThrough = 512;
+
+/// The random numbers of sample `sample` of pixel `pixel` = y * width + x.
+TP_HD Sampler path_sampler(const LaunchParams& params, uint32_t pixel, uint64_t sample) {
+    return make_sampler(params.key, pixel, sample, params.settings.sampler, params.settings.tea_rounds);
+}
+
+/// Moves the start of a far camera's ray to the scene's box, where numbers are precise again.
+TP_HD void skip_to_scene(const SceneView& scene, PathState& path) {
+    Real entry = 0, exit = path.t_max;
+    clip_box(scene.bounds, path.origin, safe_inverse(path.direction), entry, exit);
+    if (!(entry > 0 && entry < exit)) return;
+    const Real skip = entry * (1 - 64 * kEpsilon);
+    path.origin += path.direction * skip;
+    path.t_max -= skip;
+}
+
+/// Step 1: a path through pixel (x, y).
+template <uint32_t kFeatures>
+TP_HD PathState start_camera_path(const LaunchParams& params, const Sampler& sampler, uint32_t x, uint32_t y) {
+    const Vec2 jitter = sample_2d<(kFeatures & kFeatureSobol) != 0>(sampler, kDimensionPixel);
+    Vec2 lens{0, 0};
+    if (params.camera.lens_radius > 0)
+        lens = sample_2d<(kFeatures & kFeatureSobol) != 0>(sampler, kDimensionLens);
+    const CameraRay ray = camera_ray(
+        params.camera, {static_cast<Real>(x) + jitter.x, static_cast<Real>(y) + jitter.y},
+        static_cast<Real>(params.width), static_cast<Real>(params.height), lens);
+    PathState path;
+    path.origin = ray.origin;
+    path.direction = ray.direction;
+    path.t_max = ray.t_max;
+    skip_to_scene(params.scene, path);
+    return path;
+}
+
+/// Step 2: what the path meets next.
+template <uint32_t kFeatures>
+TP_HD Hit intersect(const LaunchParams& params, const PathState& path) {
+    return intersect_scene<kFeatures>(params.scene, path.origin, path.direction, path.t_max);
+}
+
+/// Sends the path on from `s` in direction `direction`.
+TP_HD void leave_surface(PathState& path, const Surface& s, Vec3 direction) {
+    path.origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal, direction);
+    path.direction = direction;
+    path.t_max = kInfinity;
+    ++path.vertex;
+}
+
+/// The direct light at `s`: a point of a light, weighed against sampling the bsdf.
+template <uint32_t kFeatures>
+TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, const PathState& path,
+                        const Surface& s, const Bsdf& bsdf, Vec3 wo, ShadowQuery& shadow) {
+    // Pick a light and a point on it.
+    constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
+    const uint32_t dimension = vertex_dimension(path.vertex);
+    const LightRecord& light =
+        params.scene.lights[pick_light(params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
+    const Hittable& emitter = params.scene.hittables[light.hittable];
+    const MaterialRecord& material = params.scene.materials[emitter.material];
+    const ShapeSample sample =
+        sample_toward(emitter, s.point.position, sample_2d<kSobol>(sampler, dimension + kDimensionLight));
+    const Real pdf = sample.pdf * light.probability;
+    const bool front = dot(sample.direction, sample.point.normal) < 0;
+    if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
+
+    // What reflects towards wo.
+    const Vec3 f = bsdf_eval(bsdf, wo, sample.direction);
+    if (is_black(f)) return;
+
+    // What comes from there.
+    Surface at_light;
+    at_light.point = sample.point;
+    if constexpr ((kFeatures & kFeatureTextures) != 0)
+        at_light.uv = texture_uv(emitter, sample.point);
+    Vec3 radiance = emitted_radiance<kFeatures>(params.scene, material, at_light);
+    if constexpr ((kFeatures & kFeatureOpacity) != 0)
+        radiance *= material.opacity * material_color<kFeatures>(params.scene, material.color, at_light).w;
+
+    const Real weight = mis_weight(pdf, bsdf_pdf(bsdf, wo, sample.direction));
+    shadow.origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
+    shadow.direction = sample.direction;
+    shadow.distance = sample.distance;
+    shadow.light = light.hittable;
+    shadow.contribution = path.throughput * f * radiance * (weight / pdf);
+    shadow.is_active = true;
+}
+
+/// The integrators that end at the first surface.
+template <uint32_t kFeatures>
+TP_HD Vec3 first_hit_color(const LaunchParams& params, const Surface& s, const MaterialRecord& material) {
+    if (params.settings.integrator == IntegratorKind::Normal) return (s.normal + Vec3(1, 1, 1)) * Real(0.5);
+    const ColorRef& ref = material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
+    return Vec3(material_color<kFeatures>(params.scene, ref, s));
+}
+
+/// Step 3: gathers what the path has met and chooses where it goes. Returns false where it ends;
+/// `shadow` may be active either way.
+template <uint32_t kFeatures>
+TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& hit, PathState& path,
+                 ShadowQuery& shadow) {
+    constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
+    const SceneView& scene = params.scene;
+    const PathSettings& settings = params.settings;
+
+    // Beyond the scene.
+    if (hit.index == kNoHit) {
+        path.radiance += path.throughput * background_radiance<kFeatures>(scene, path.direction);
+        return false;
+    }
+    const Hittable& hittable = scene.hittables[hit.index];
+    const MaterialRecord& material = scene.materials[hittable.material];
+    const Surface s = make_surface<kFeatures>(scene, hittable, path.origin, path.direction, hit);
+    const uint32_t dimension = vertex_dimension(path.vertex);
+    const Vec4 color = material_color<kFeatures>(scene, material.color, s);
+
+    // Straight through, which is no scattering.
+    if constexpr ((kFeatures & kFeatureOpacity) != 0) {
+        const Real opacity = material.opacity * color.w;
+        if (opacity < 1 && sample_1d<kSobol>(sampler, dimension + kDimensionOpacity) >= opacity) {
+            path.throughput *= material.pass_through;
+            const Real left = path.t_max - hit.t;
+            leave_surface(path, s, path.direction);
+            path.t_max = left;
+            return path.vertex - path.depth < kMaxPassThrough;
+        }
+    }
+    if constexpr ((kFeatures & kFeatureDebug) != 0) {
+        if (settings.integrator == IntegratorKind::Normal || settings.integrator == IntegratorKind::Flat) {
+            path.radiance += path.throughput * first_hit_color<kFeatures>(params, s, material);
+            return false;
+        }
+    }
+
+    // Emission, weighed against light sampling.
+    if constexpr ((kFeatures & kFeatureLights) != 0) {
+        if (emits_towards(material, is_turned_inwards(hittable), s.front)) {
+            Real weight = 1;
+            if (path.bsdf_pdf > 0 && settings.light_sampling)
+                weight = mis_weight(path.bsdf_pdf, light_pdf(scene, hittable, path.origin, path.direction, s.point, hit.t));
+            path.radiance += path.throughput * emitted_radiance<kFeatures>(scene, material, s) * weight;
+        }
+    }
+    if (material.kind == MaterialKind::DiffuseLight || path.depth >= static_cast<uint32_t>(settings.max_depth))
+        return false;
+
+    // Direct light.
+    const Vec3 wo = -path.direction;
+    const Bsdf bsdf = make_bsdf(material, Vec3(color), s, settings.scatter);
+    if constexpr ((kFeatures & kFeatureLights) != 0) {
+        if (settings.light_sampling && !scene.lights.empty() && !is_specular(bsdf))
+            sample_light<kFeatures>(params, sampler, path, s, bsdf, wo, shadow);
+    }
+
+    // The next direction.
+    const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionBsdf);
+    Real u3 = 0;
+    if ((material.kind == MaterialKind::Metal && bsdf.fuzz > 0) || settings.scatter == ScatterRule::CosineCubed)
+        u3 = sample_1d<kSobol>(sampler, dimension + kDimensionLobe);
+    const BsdfSample next = bsdf_sample(bsdf, wo, u, u3);
+    if (is_black(next.weight)) return false;
+    path.throughput *= next.weight;
+    path.eta_scale *= next.eta_scale;
+    path.bsdf_pdf = next.pdf;
+    leave_surface(path, s, next.wi);
+
+    // Russian roulette.
+    if (settings.roulette_depth > 0 && path.depth >= static_cast<uint32_t>(settings.roulette_depth)) {
+        const Real survival = max_component(path.throughput) * path.eta_scale;
+        if (survival < 1) {
+            if (sample_1d<kSobol>(sampler, dimension + kDimensionRoulette) >= survival) return false;
+            path.throughput /= survival;
+        }
+    }
+    ++path.depth;
+    return true;
+}
+
+/// Step 4: the share of light, per channel, that reaches along the query's segment.
+template <uint32_t kFeatures>
+TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) {
+    const SceneView& scene = params.scene;
+    if constexpr ((kFeatures & kFeatureOpacity) == 0) {
+        const bool blocked =
+            is_blocked<kFeatures>(scene, shadow.origin, shadow.direction, shadow.distance, shadow.light);
+        return blocked ? Vec3(0, 0, 0) : Vec3(1, 1, 1);
+    } else {
+        // From surface to surface; each lets its share through.
+        Vec3 share{1, 1, 1};
+        Vec3 origin = shadow.origin;
+        Real left = shadow.distance;
+        for (uint32_t i = 0; i < kMaxPassThrough; ++i) {
+            Hit hit;
+            hit.t = left;
+            if (!traverse<kFeatures, false>(scene, origin, shadow.direction, shadow.light, hit)) return share;
+            const Hittable& hittable = scene.hittables[hit.index];
+            const MaterialRecord& material = scene.materials[hittable.material];
+            const Surface s = make_surface<kFeatures>(scene, hittable, origin, shadow.direction, hit);
+            const Real opacity = material.opacity * material_color<kFeatures>(scene, material.color, s).w;
+            share *= material.pass_through * (1 - min(opacity, Real(1)));
+            if (is_black(share)) break;
+            origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal, shadow.direction);
+            left -= hit.t;
+        }
+        return {0, 0, 0};
+    }
+}
+
+/// Step 4: adds the light of an active query.
+template <uint32_t kFeatures>
+TP_HD void connect_to_light(const LaunchParams& params, const ShadowQuery& shadow, PathState& path) {
+    if (shadow.is_active) path.radiance += shadow.contribution * transmittance<kFeatures>(params, shadow);
+}
+
+/// Step 5: the path's radiance, black if it is not finite; then `is_valid` is false.
+TP_HD Vec3 finish_path(const PathState& path, bool& is_valid) {
+    is_valid = is_finite(path.radiance);
+    return is_valid ? path.radiance : Vec3(0, 0, 0);
+}
+
+}  // namespace tp

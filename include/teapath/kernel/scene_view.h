@@ -1,0 +1,22 @@
+// The flat arrays of a scene, as a kernel sees them.
+#pragma once
+
+#include <teapath/kernel/records.h>
+
+namespace tp {
+
+struct SceneView {
+    Span<const Hittable> hittables;
+    Span<const BvhNode> nodes;
+    Span<const LightRecord> lights;
+    Span<const MaterialRecord> materials;
+    Span<const uint32_t> material_ids;
+    Span<const TextureRecord> textures;
+    const unsigned char* texels = nullptr;
+    const float* srgb_table = nullptr;  // 256 entries: linear value of an 8-bit code
+    BackgroundRecord background;
+    Bounds bounds;             // of all hittables
+    bool brute_force = false;  // tests: visit every hittable instead of the tree
+};
+
+}  // namespace tp

@@ -1,0 +1,94 @@
+// Texture look-up: constant, checker (nested without recursion), image. Filtering is ours on both
+// processors, since the hardware's bilinear weights have 8 fractional bits.
+#pragma once
+
+#include <teapath/core/color.h>
+#include <teapath/kernel/scene_view.h>
+
+namespace tp {
+
+/// The index inside [0, size) that texel `i` of a wrapped image means.
+TP_HD int wrap_texel(int i, int size, WrapMode wrap) {
+    if (wrap == WrapMode::Clamp) return clamp(i, 0, size - 1);
+    const int period = wrap == WrapMode::Mirror ? 2 * size : size;
+    int r = i % period;
+    if (r < 0) r += period;
+    return r < size ? r : period - 1 - r;
+}
+
+/// One texel as linear RGBA; alpha 1 where the image has none.
+TP_HD Vec4 load_texel(const SceneView& scene, const ImageRecord& image, int x, int y) {
+    const uint64_t first =
+        (static_cast<uint64_t>(y) * static_cast<uint64_t>(image.width) + static_cast<uint64_t>(x)) *
+        static_cast<uint64_t>(image.channels);
+    const unsigned char* texels = scene.texels + image.offset;
+    float value[4] = {0, 0, 0, 1};
+    const int alpha = image.channels == 2 || image.channels == 4 ? image.channels - 1 : -1;
+    for (int c = 0; c < image.channels; ++c) {
+        const bool decode = image.is_srgb && c != alpha;
+        if (image.bytes_per_channel == 1) {
+            const unsigned char code = texels[first + static_cast<uint64_t>(c)];
+            value[c] = decode ? scene.srgb_table[code] : static_cast<float>(code) * (1.0f / 255.0f);
+        } else if (image.bytes_per_channel == 2) {
+            const auto* codes = reinterpret_cast<const uint16_t*>(texels);
+            const float x01 = static_cast<float>(codes[first + static_cast<uint64_t>(c)]) * (1.0f / 65535.0f);
+            value[c] = decode ? linear_from_srgb(x01) : x01;
+        } else {
+            const auto* numbers = reinterpret_cast<const float*>(texels);
+            value[c] = numbers[first + static_cast<uint64_t>(c)];
+            if (decode) value[c] = linear_from_srgb(value[c]);
+        }
+    }
+    if (image.channels <= 2) {
+        const float a = image.channels == 2 ? value[1] : 1.0f;
+        return Vec4(value[0], value[0], value[0], a);
+    }
+    return Vec4(value[0], value[1], value[2], value[3]);
+}
+
+/// An image at (u, v): texel centres at (i + 0.5) / size, v = 0 at the top row.
+TP_HD Vec4 sample_image(const SceneView& scene, const ImageRecord& image, Vec2 uv) {
+    const Real x = uv.x * image.repeat.x * static_cast<Real>(image.width);
+    const Real y = uv.y * image.repeat.y * static_cast<Real>(image.height);
+    const Real limit = Real(1e9);  // far-off coordinates stay inside int
+    if (image.filter == FilterMode::Nearest) {
+        const int ix = static_cast<int>(std::floor(clamp(x, -limit, limit)));
+        const int iy = static_cast<int>(std::floor(clamp(y, -limit, limit)));
+        return load_texel(scene, image, wrap_texel(ix, image.width, image.wrap),
+                          wrap_texel(iy, image.height, image.wrap));
+    }
+    const Real cx = clamp(x - Real(0.5), -limit, limit), cy = clamp(y - Real(0.5), -limit, limit);
+    const Real fx = std::floor(cx), fy = std::floor(cy);
+    const int x0 = wrap_texel(static_cast<int>(fx), image.width, image.wrap);
+    const int x1 = wrap_texel(static_cast<int>(fx) + 1, image.width, image.wrap);
+    const int y0 = wrap_texel(static_cast<int>(fy), image.height, image.wrap);
+    const int y1 = wrap_texel(static_cast<int>(fy) + 1, image.height, image.wrap);
+    const Real wx = cx - fx, wy = cy - fy;
+    const Vec4 top = lerp(load_texel(scene, image, x0, y0), load_texel(scene, image, x1, y0), wx);
+    const Vec4 bottom = lerp(load_texel(scene, image, x0, y1), load_texel(scene, image, x1, y1), wx);
+    return lerp(top, bottom, wy);
+}
+
+TP_HD bool is_even_cell(const CheckerRecord& checker, Vec2 uv, Vec3 p) {
+    if (checker.mode == CheckerMode::World) {
+        return std::sin(checker.frequency * p.x) * std::sin(checker.frequency * p.y) *
+                   std::sin(checker.frequency * p.z) >=
+               0;
+    }
+    const Real cell = std::floor(uv.x * checker.cells.x) + std::floor(uv.y * checker.cells.y);
+    return cell - 2 * std::floor(cell / 2) == 0;
+}
+
+/// The colour and alpha of `ref` at texture coordinates `uv` and world position `p`. Checkers are
+/// walked down to a constant or an image; the reader refuses cycles.
+TP_HD Vec4 color_at(const SceneView& scene, ColorRef ref, Vec2 uv, Vec3 p) {
+    while (ref.texture >= 0) {
+        const TextureRecord& texture = scene.textures[static_cast<uint32_t>(ref.texture)];
+        if (texture.kind == TextureKind::Image) return sample_image(scene, texture.image, uv);
+        if (texture.kind == TextureKind::Constant) return Vec4(texture.constant, 1);
+        ref = is_even_cell(texture.checker, uv, p) ? texture.checker.even : texture.checker.odd;
+    }
+    return Vec4(ref.color, 1);
+}
+
+}  // namespace tp

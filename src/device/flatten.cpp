@@ -1,0 +1,145 @@
+// From the document to the flat arrays, part by part.
+#include <cmath>
+#include <optional>
+
+#include <teapath/core/parallel.h>
+#include <teapath/device/bvh_build.h>
+#include <teapath/device/light_build.h>
+#include <teapath/device/scene_arrays.h>
+
+#include "flatten_materials.h"
+#include "flatten_shapes.h"
+
+namespace tp {
+namespace {
+
+CameraRecord flatten_camera(const Scene& scene) {
+    const Camera camera = active_camera(scene);
+    const Double3 forward = glm::normalize(camera.look_at - camera.look_from);
+    const Double3 right = glm::normalize(glm::cross(forward, camera.up));
+    const double half_height = std::tan(camera.vertical_fov * 3.14159265358979323846 / 360);
+    CameraRecord record;
+    record.origin = Vec3(camera.look_from);
+    record.forward = Vec3(forward);
+    record.right = Vec3(right);
+    record.up = Vec3(glm::cross(right, forward));
+    record.half_height = static_cast<Real>(half_height);
+    record.half_width = static_cast<Real>(half_height * scene.render.width / scene.render.height);
+    record.lens_radius = static_cast<Real>(camera.aperture / 2);
+    record.focus_distance = static_cast<Real>(effective_focus_distance(camera));
+    record.near_clip = static_cast<Real>(camera.near_clip);
+    record.far_clip = camera.far_clip > 0 ? static_cast<Real>(camera.far_clip) : kInfinity;
+    return record;
+}
+
+// A box that holds the hittable for certain, and has some thickness along each axis.
+Bounds padded_bounds(const Hittable& h) {
+    Bounds b = bounds_of(h);
+    const Vec3 size = max(abs(b.low), abs(b.high));
+    const Vec3 pad = size * error_bound(Real(0.5)) + Vec3(std::numeric_limits<Real>::min());
+    return {b.low - pad, b.high + pad};
+}
+
+void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
+    // The hittables of what can be seen, in the objects' order.
+    const MaterialIndex material_index = index_materials(scene);
+    std::vector<std::optional<Hittable>> shapes(scene.objects.size());
+    parallel_for(static_cast<int64_t>(shapes.size()), 4096, [&](int64_t first, int64_t last) {
+        for (auto i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i) {
+            const Object& object = scene.objects[i];
+            if (!object.visible) continue;
+            shapes[i] = flatten_shape(object);
+            if (!shapes[i]) continue;
+            const auto found = material_index.find(object.material.value);
+            shapes[i]->material = found == material_index.end() ? 0 : found->second;
+            shapes[i]->object = object.id.value;
+        }
+    });
+    std::vector<Hittable> hittables;
+    hittables.reserve(shapes.size());
+    for (const auto& shape : shapes)
+        if (shape) hittables.push_back(*shape);
+
+    // The tree, and the hittables in the order of its leaves.
+    std::vector<Bounds> boxes(hittables.size());
+    parallel_for(static_cast<int64_t>(boxes.size()), 8192, [&](int64_t first, int64_t last) {
+        for (auto i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i)
+            boxes[i] = padded_bounds(hittables[i]);
+    });
+    BvhTree tree = build_bvh(boxes);
+    arrays.hittables.resize(hittables.size());
+    arrays.features &= ~kFeatureShapes;
+    for (size_t i = 0; i < hittables.size(); ++i) {
+        arrays.hittables[i] = hittables[tree.order[i]];
+        if (arrays.hittables[i].kind != HittableKind::Sphere) arrays.features |= kFeatureShapes;
+    }
+    arrays.nodes = std::move(tree.nodes);
+    arrays.bounds = tree.bounds;
+    arrays.bvh = tree.stats;
+}
+
+void flatten_parameters(const Scene& scene, SceneArrays& arrays) {
+    arrays.camera = flatten_camera(scene);
+    arrays.settings = scene.render.path;
+    if (arrays.settings.integrator == IntegratorKind::Book) {
+        arrays.settings.light_sampling = false;
+        arrays.settings.roulette_depth = 0;
+    } else {
+        arrays.settings.scatter = ScatterRule::Cosine;
+    }
+    arrays.features &= ~(kFeatureSobol | kFeatureDebug);
+    if (scene.render.path.sampler == SamplerKind::Sobol) arrays.features |= kFeatureSobol;
+    if (scene.render.path.integrator == IntegratorKind::Normal ||
+        scene.render.path.integrator == IntegratorKind::Flat)
+        arrays.features |= kFeatureDebug;
+}
+
+template <class T>
+size_t bytes_of(const std::vector<T>& v) {
+    return v.size() * sizeof(T);
+}
+
+}  // namespace
+
+size_t SceneArrays::bytes() const {
+    return bytes_of(hittables) + bytes_of(nodes) + bytes_of(lights) + bytes_of(materials) +
+           bytes_of(material_ids) + bytes_of(textures) + bytes_of(texels);
+}
+
+void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays) {
+    std::optional<Scene> expanded;
+    if (!scene.generators.empty()) expanded = expand_generators(scene);
+    const Scene& full = expanded ? *expanded : scene;
+
+    if (has(parts, SceneParts::Materials)) flatten_materials(full, arrays);
+    if (has(parts, SceneParts::Geometry)) flatten_geometry(full, arrays);
+    if (has(parts, SceneParts::Materials) || has(parts, SceneParts::Geometry)) {
+        arrays.lights = build_lights(arrays.hittables, arrays.materials);
+        arrays.features &= ~kFeatureLights;
+        if (!arrays.lights.empty()) arrays.features |= kFeatureLights;
+    }
+    if (has(parts, SceneParts::Parameters)) flatten_parameters(full, arrays);
+}
+
+SceneParts changed_parts(const Scene& before, const Scene& after) {
+    SceneParts parts = SceneParts::None;
+    const auto same_ids = [](const auto& a, const auto& b) {
+        if (a.size() != b.size()) return false;
+        for (size_t i = 0; i < a.size(); ++i)
+            if (a[i].id != b[i].id) return false;
+        return true;
+    };
+    // Records are numbered in the order of the materials, so that order is part of the geometry.
+    if (before.objects != after.objects || before.generators != after.generators ||
+        !same_ids(before.materials, after.materials))
+        parts = parts | SceneParts::Geometry | SceneParts::Materials;
+    if (before.materials != after.materials || before.textures != after.textures ||
+        before.background != after.background)
+        parts = parts | SceneParts::Materials;
+    if (active_camera(before) != active_camera(after) || before.render.path != after.render.path ||
+        before.render.width != after.render.width || before.render.height != after.render.height)
+        parts = parts | SceneParts::Parameters;
+    return parts;
+}
+
+}  // namespace tp

@@ -1,0 +1,151 @@
+#include "flatten_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace tp {
+namespace {
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+
+// Builds the texture records, with each image's pixels packed once.
+class TexturePacker {
+public:
+    TexturePacker(const Scene& scene, SceneArrays& arrays) : scene_(scene), arrays_(arrays) {
+        for (size_t i = 0; i < scene.textures.size(); ++i)
+            index_[scene.textures[i].id.value] = static_cast<int32_t>(i);
+        arrays.textures.assign(scene.textures.size(), {});
+        arrays.texels.clear();
+    }
+
+    void pack_textures() {
+        for (size_t i = 0; i < scene_.textures.size(); ++i) arrays_.textures[i] = record_of(scene_.textures[i]);
+    }
+
+    ColorRef color_ref(const TexturedColor& c, double scale = 1) const {
+        ColorRef ref{Vec3(c.color * scale), -1};
+        const auto found = index_.find(c.texture.value);
+        if (c.texture && found != index_.end()) ref.texture = found->second;
+        return ref;
+    }
+
+    // A record for the background's image, or -1 if it is missing.
+    int32_t pack_background(const Background& background) {
+        if (background.kind != BackgroundKind::Image || !background.file.image) return -1;
+        Texture texture;
+        texture.kind = TextureKind::Image;
+        texture.file = background.file;
+        texture.color_space = background.color_space;
+        arrays_.textures.push_back(record_of(texture));
+        return static_cast<int32_t>(arrays_.textures.size()) - 1;
+    }
+
+    bool has_alpha(const TexturedColor& c, int nesting = 0) const {
+        const auto found = index_.find(c.texture.value);
+        if (!c.texture || found == index_.end() || nesting > 64) return false;
+        const Texture& texture = scene_.textures[static_cast<size_t>(found->second)];
+        if (texture.kind == TextureKind::Checker)
+            return has_alpha(texture.even, nesting + 1) || has_alpha(texture.odd, nesting + 1);
+        return texture.kind == TextureKind::Image && texture.file.image && texture.file.image->channels % 2 == 0;
+    }
+
+private:
+    TextureRecord record_of(const Texture& texture) {
+        TextureRecord record;
+        record.kind = texture.kind;
+        if (texture.kind == TextureKind::Constant) {
+            record.constant = Vec3(texture.color);
+        } else if (texture.kind == TextureKind::Checker) {
+            record.checker = {color_ref(texture.even), color_ref(texture.odd), texture.mode, Vec2(texture.cells),
+                              static_cast<Real>(texture.frequency)};
+        } else if (!texture.file.image) {
+            record.kind = TextureKind::Constant;
+            record.constant = {0, 1, 1};  // missing: cyan
+        } else {
+            record.image = image_record(texture);
+        }
+        return record;
+    }
+
+    ImageRecord image_record(const Texture& texture) {
+        const Image& image = *texture.file.image;
+        const int bytes = image.format == PixelFormat::U8 ? 1 : image.format == PixelFormat::U16 ? 2 : 4;
+        const bool srgb = texture.color_space == ColorSpace::Srgb ||
+                          (texture.color_space == ColorSpace::Auto && image.format != PixelFormat::F32);
+        return {offset_of(image), image.width, image.height, static_cast<int16_t>(image.channels),
+                static_cast<uint8_t>(bytes), srgb, texture.wrap, texture.filter, Vec2(texture.repeat)};
+    }
+
+    uint64_t offset_of(const Image& image) {
+        const auto [entry, is_new] = offsets_.try_emplace(&image, 0);
+        if (is_new) {
+            entry->second = (arrays_.texels.size() + 15) / 16 * 16;
+            arrays_.texels.resize(entry->second + image.bytes.size());
+            std::memcpy(arrays_.texels.data() + entry->second, image.bytes.data(), image.bytes.size());
+        }
+        return entry->second;
+    }
+
+    const Scene& scene_;
+    SceneArrays& arrays_;
+    std::unordered_map<uint32_t, int32_t> index_;
+    std::unordered_map<const Image*, uint64_t> offsets_;
+};
+
+MaterialRecord record_of(const Material& m, const TexturePacker& textures) {
+    MaterialRecord record;
+    record.kind = m.kind;
+    record.fresnel = m.fresnel;
+    record.side = m.side == EmissionSide::Auto ? EmissionSide::Outside : m.side;
+    record.emits = m.emits || m.kind == MaterialKind::DiffuseLight;
+    record.color = textures.color_ref(m.color);
+    if (record.emits) {
+        record.emission = textures.color_ref(m.emission, m.strength);
+        record.strength = static_cast<Real>(m.strength);
+    }
+    if (m.kind == MaterialKind::Metal) record.fuzz = static_cast<Real>(m.fuzz);
+    if (m.kind == MaterialKind::Dielectric) record.eta = static_cast<Real>(m.ior / m.exterior_ior);
+    record.opacity = static_cast<Real>(m.opacity);
+    record.pass_through = Vec3(m.pass_through);
+    return record;
+}
+
+BackgroundRecord record_of(const Background& b, int32_t texture) {
+    BackgroundRecord record;
+    record.kind = b.kind;
+    record.bottom = Vec3(b.kind == BackgroundKind::Constant ? b.color : b.bottom);
+    record.top = Vec3(b.top);
+    record.texture = texture;
+    record.cos_rotation = static_cast<Real>(std::cos(b.rotation * kRadiansPerDegree));
+    record.sin_rotation = static_cast<Real>(std::sin(b.rotation * kRadiansPerDegree));
+    record.strength = static_cast<Real>(b.strength);
+    return record;
+}
+
+}  // namespace
+
+MaterialIndex index_materials(const Scene& scene) {
+    MaterialIndex index;
+    for (size_t i = 0; i < scene.materials.size(); ++i)
+        index[scene.materials[i].id.value] = static_cast<uint32_t>(i) + 1;
+    return index;
+}
+
+void flatten_materials(const Scene& scene, SceneArrays& arrays) {
+    TexturePacker textures(scene, arrays);
+    textures.pack_textures();
+    arrays.materials.assign(1, record_of(Material{}, textures));
+    arrays.material_ids.assign(1, 0);
+    arrays.features &= ~(kFeatureTextures | kFeatureOpacity);
+    for (const Material& m : scene.materials) {
+        arrays.materials.push_back(record_of(m, textures));
+        arrays.material_ids.push_back(m.id.value);
+        if (m.opacity < 1 || textures.has_alpha(m.color)) arrays.features |= kFeatureOpacity;
+    }
+    arrays.background = record_of(scene.background, textures.pack_background(scene.background));
+    if (!scene.textures.empty() || scene.background.kind == BackgroundKind::Image)
+        arrays.features |= kFeatureTextures;
+}
+
+}  // namespace tp

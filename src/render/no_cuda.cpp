@@ -1,0 +1,15 @@
+// Stands in for the CUDA backend in builds without it.
+#include <teapath/core/error.h>
+#include <teapath/device/devices.h>
+#include <teapath/render/backend.h>
+
+namespace tp {
+
+std::unique_ptr<Backend> make_cuda_backend(int) {
+    throw Error(ErrorKind::Device, "this build has no CUDA backend", "",
+                "build with the CUDA Toolkit, or render with --backend host");
+}
+
+DeviceList cuda_devices() { return {{}, "this build has no CUDA backend"}; }
+
+}  // namespace tp

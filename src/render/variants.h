@@ -1,0 +1,21 @@
+// The sets of scene features that kernels are compiled for. The general one is always right; the
+// others leave out code that a scene cannot reach.
+#pragma once
+
+#include <teapath/kernel/records.h>
+
+namespace tp {
+
+inline constexpr uint32_t kVariantSpheres = 0;  // constant colours, no lights but the background
+inline constexpr uint32_t kVariantLit = kFeatureShapes | kFeatureLights;
+inline constexpr uint32_t kVariantGeneral = kFeatureAll;
+
+/// Calls f.operator()<kFeatures>() for the smallest variant that has all `needed` features.
+template <class F>
+decltype(auto) with_variant(uint32_t needed, F&& f) {
+    if ((needed & ~kVariantSpheres) == 0) return f.template operator()<kVariantSpheres>();
+    if ((needed & ~kVariantLit) == 0) return f.template operator()<kVariantLit>();
+    return f.template operator()<kVariantGeneral>();
+}
+
+}  // namespace tp
