@@ -11,6 +11,12 @@ endif()
 if(TEAPATH_CUDA)
     enable_language(CUDA)
     find_package(CUDAToolkit REQUIRED)
+    set(CMAKE_CUDA_STANDARD 20)
+    if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+        # CMake 3.25.1 does not know that nvcc 12 and later compile C++20.
+        set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION "-std=c++20")
+        set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION "-std=c++20")
+    endif()
 endif()
 
 # Warnings of our own code. Numbers of the path tracer stay IEEE: no -ffast-math on the host, so that
@@ -20,7 +26,10 @@ target_include_directories(teapath_options INTERFACE ${PROJECT_SOURCE_DIR}/inclu
 target_compile_options(teapath_options INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                               -Wcast-align -Woverloaded-virtual -fno-math-errno -fno-trapping-math>
-    $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall,-Wextra,-Wshadow>)
+    # On the device: flush denormals, approximate division and root (2 ulp), no warnings about GLM's
+    # defaulted functions.
+    $<$<COMPILE_LANGUAGE:CUDA>:--ftz=true --prec-div=false --prec-sqrt=false --expt-relaxed-constexpr
+                               -diag-suppress=20012 -Xcompiler=-Wall,-Wextra,-Wshadow>)
 if(TEAPATH_WERROR)
     target_compile_options(teapath_options INTERFACE
         $<$<COMPILE_LANGUAGE:CXX>:-Werror>

@@ -1,12 +1,12 @@
+#include <teapath/core/parallel.h>
+#include <teapath/device/bvh_build.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
 #include <cmath>
 #include <numeric>
-
-#include <teapath/core/parallel.h>
-#include <teapath/device/bvh_build.h>
 
 namespace tp {
 namespace {
@@ -70,7 +70,8 @@ public:
 
     Bounds box_of(const Range& range) const {
         Bounds box;
-        for (uint32_t i = range.first; i < range.last; ++i) box = join(box, items_[i].box);
+        for (uint32_t i = range.first; i < range.last; ++i)
+            box = join(box, items_[i].box);
         return box;
     }
 
@@ -107,13 +108,15 @@ public:
             if (extent[axis] > 0) scan_axis(range, axis, centers, best_cost, best_axis, best_bin);
         }
         const double area = static_cast<double>(half_area(box));
-        const double split_cost = config_.node_cost + config_.leaf_cost * best_cost / std::max(area, 1e-300);
+        const double split_cost =
+            config_.node_cost + config_.leaf_cost * best_cost / std::max(area, 1e-300);
         if (count <= config_.leaf_size && config_.leaf_cost * count <= split_cost) return {0, true};
 
         const Real low = centers.low[best_axis], scale = bin_scale(extent[best_axis]);
         const auto middle = std::partition(
-            items_.begin() + range.first, items_.begin() + range.last,
-            [&](const Item& item) { return bin_of(item.center[best_axis], low, scale) <= best_bin; });
+            items_.begin() + range.first, items_.begin() + range.last, [&](const Item& item) {
+                return bin_of(item.center[best_axis], low, scale) <= best_bin;
+            });
         const auto split = static_cast<uint32_t>(middle - items_.begin());
         if (split == range.first || split == range.last) return median_split(range);
         const uint32_t larger = std::max(split - range.first, range.last - split);
@@ -122,14 +125,16 @@ public:
     }
 
 private:
-    Real bin_scale(Real extent) const { return static_cast<Real>(config_.bins) * (1 - 4 * kEpsilon) / extent; }
+    Real bin_scale(Real extent) const {
+        return static_cast<Real>(config_.bins) * (1 - 4 * kEpsilon) / extent;
+    }
 
     int bin_of(Real center, Real low, Real scale) const {
         return std::min(static_cast<int>((center - low) * scale), config_.bins - 1);
     }
 
-    void scan_axis(const Range& range, int axis, const Bounds& centers, double& best_cost, int& best_axis,
-                   int& best_bin) const {
+    void scan_axis(const Range& range, int axis, const Bounds& centers, double& best_cost,
+                   int& best_axis, int& best_bin) const {
         std::array<Bin, kMaxBins> bins;
         const Real low = centers.low[axis], scale = bin_scale(centers.extent()[axis]);
         for (uint32_t i = range.first; i < range.last; ++i) {
@@ -151,7 +156,8 @@ private:
             box = join(box, bins[static_cast<size_t>(i)].box);
             count += bins[static_cast<size_t>(i)].count;
             if (count == 0 || count == range.size()) continue;
-            const double cost = static_cast<double>(half_area(box)) * count + right_cost[static_cast<size_t>(i) + 1];
+            const double cost = static_cast<double>(half_area(box)) * count +
+                                right_cost[static_cast<size_t>(i) + 1];
             if (cost < best_cost) {
                 best_cost = cost;
                 best_axis = axis;
@@ -162,14 +168,16 @@ private:
 
     Split median_split(const Range& range) {
         Bounds centers;
-        for (uint32_t i = range.first; i < range.last; ++i) centers = join(centers, items_[i].center);
+        for (uint32_t i = range.first; i < range.last; ++i)
+            centers = join(centers, items_[i].center);
         const Vec3 e = centers.extent();
         const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
         const uint32_t middle = range.first + range.size() / 2;
-        std::nth_element(items_.begin() + range.first, items_.begin() + middle, items_.begin() + range.last,
-                         [axis](const Item& a, const Item& b) {
-                             return a.center[axis] != b.center[axis] ? a.center[axis] < b.center[axis]
-                                                                     : a.index < b.index;
+        std::nth_element(items_.begin() + range.first, items_.begin() + middle,
+                         items_.begin() + range.last, [axis](const Item& a, const Item& b) {
+                             return a.center[axis] != b.center[axis]
+                                        ? a.center[axis] < b.center[axis]
+                                        : a.index < b.index;
                          });
         return {middle, false};
     }
@@ -191,8 +199,8 @@ struct Subtree {
 constexpr uint32_t kSubtreeSize = 8192;
 
 // Splits from the root down to ranges of kSubtreeSize, which `subtrees` collects.
-void build_top(Builder& builder, const Range& range, uint32_t parent, int side, std::vector<BvhNode>& nodes,
-               std::vector<Subtree>& subtrees) {
+void build_top(Builder& builder, const Range& range, uint32_t parent, int side,
+               std::vector<BvhNode>& nodes, std::vector<Subtree>& subtrees) {
     if (range.size() <= kSubtreeSize) {
         subtrees.push_back({range, parent, side, {}, 0, {}});
         return;
@@ -215,11 +223,14 @@ void append(std::vector<BvhNode>& nodes, const Subtree& subtree) {
             if (!(child & kLeafBit)) child += base;
         nodes.push_back(node);
     }
-    nodes[subtree.parent].child[subtree.side] = subtree.code & kLeafBit ? subtree.code : subtree.code + base;
+    nodes[subtree.parent].child[subtree.side] =
+        subtree.code & kLeafBit ? subtree.code : subtree.code + base;
 }
 
 // A tree of one leaf: the root's other child is empty and never met.
-BvhNode root_of_leaf(const Bounds& box, uint32_t code) { return Builder::make_node(box, code, Bounds{}, code); }
+BvhNode root_of_leaf(const Bounds& box, uint32_t code) {
+    return Builder::make_node(box, code, Bounds{}, code);
+}
 
 double sah_cost(const std::vector<BvhNode>& nodes, const Bounds& bounds, const BvhConfig& config) {
     const double root_area = static_cast<double>(half_area(bounds));
@@ -231,7 +242,8 @@ double sah_cost(const std::vector<BvhNode>& nodes, const Bounds& bounds, const B
         for (size_t i = 0; i < 2; ++i) {
             const double share = static_cast<double>(half_area(boxes[i])) / root_area;
             const uint32_t code = n.child[i];
-            cost += share * (code & kLeafBit ? config.leaf_cost * ((code & (kMaxLeafSize - 1)) + 1) : config.node_cost);
+            cost += share * (code & kLeafBit ? config.leaf_cost * ((code & (kMaxLeafSize - 1)) + 1)
+                                             : config.node_cost);
         }
     }
     return cost;
@@ -273,9 +285,11 @@ BvhTree build_bvh(const std::vector<Bounds>& boxes, const BvhConfig& config) {
     }
 
     tree.order.resize(items.size());
-    for (size_t i = 0; i < items.size(); ++i) tree.order[i] = items[i].index;
+    for (size_t i = 0; i < items.size(); ++i)
+        tree.order[i] = items[i].index;
     tree.stats.sah_cost = sah_cost(tree.nodes, tree.bounds, config);
-    tree.stats.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    tree.stats.build_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return tree;
 }
 

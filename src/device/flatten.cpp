@@ -1,14 +1,14 @@
 // From the document to the flat arrays, part by part.
-#include <cmath>
-#include <optional>
+#include "flatten_materials.h"
+#include "flatten_shapes.h"
 
 #include <teapath/core/parallel.h>
 #include <teapath/device/bvh_build.h>
 #include <teapath/device/light_build.h>
 #include <teapath/device/scene_arrays.h>
 
-#include "flatten_materials.h"
-#include "flatten_shapes.h"
+#include <cmath>
+#include <optional>
 
 namespace tp {
 namespace {

@@ -20,7 +20,8 @@ public:
     }
 
     void pack_textures() {
-        for (size_t i = 0; i < scene_.textures.size(); ++i) arrays_.textures[i] = record_of(scene_.textures[i]);
+        for (size_t i = 0; i < scene_.textures.size(); ++i)
+            arrays_.textures[i] = record_of(scene_.textures[i]);
     }
 
     ColorRef color_ref(const TexturedColor& c, double scale = 1) const {
@@ -47,7 +48,8 @@ public:
         const Texture& texture = scene_.textures[static_cast<size_t>(found->second)];
         if (texture.kind == TextureKind::Checker)
             return has_alpha(texture.even, nesting + 1) || has_alpha(texture.odd, nesting + 1);
-        return texture.kind == TextureKind::Image && texture.file.image && texture.file.image->channels % 2 == 0;
+        return texture.kind == TextureKind::Image && texture.file.image &&
+               texture.file.image->channels % 2 == 0;
     }
 
 private:
@@ -57,8 +59,8 @@ private:
         if (texture.kind == TextureKind::Constant) {
             record.constant = Vec3(texture.color);
         } else if (texture.kind == TextureKind::Checker) {
-            record.checker = {color_ref(texture.even), color_ref(texture.odd), texture.mode, Vec2(texture.cells),
-                              static_cast<Real>(texture.frequency)};
+            record.checker = {color_ref(texture.even), color_ref(texture.odd), texture.mode,
+                              Vec2(texture.cells), static_cast<Real>(texture.frequency)};
         } else if (!texture.file.image) {
             record.kind = TextureKind::Constant;
             record.constant = {0, 1, 1};  // missing: cyan
@@ -70,11 +72,21 @@ private:
 
     ImageRecord image_record(const Texture& texture) {
         const Image& image = *texture.file.image;
-        const int bytes = image.format == PixelFormat::U8 ? 1 : image.format == PixelFormat::U16 ? 2 : 4;
-        const bool srgb = texture.color_space == ColorSpace::Srgb ||
-                          (texture.color_space == ColorSpace::Auto && image.format != PixelFormat::F32);
-        return {offset_of(image), image.width, image.height, static_cast<int16_t>(image.channels),
-                static_cast<uint8_t>(bytes), srgb, texture.wrap, texture.filter, Vec2(texture.repeat)};
+        const int bytes = image.format == PixelFormat::U8    ? 1
+                          : image.format == PixelFormat::U16 ? 2
+                                                             : 4;
+        const bool srgb =
+            texture.color_space == ColorSpace::Srgb ||
+            (texture.color_space == ColorSpace::Auto && image.format != PixelFormat::F32);
+        return {offset_of(image),
+                image.width,
+                image.height,
+                static_cast<int16_t>(image.channels),
+                static_cast<uint8_t>(bytes),
+                srgb,
+                texture.wrap,
+                texture.filter,
+                Vec2(texture.repeat)};
     }
 
     uint64_t offset_of(const Image& image) {
@@ -82,7 +94,8 @@ private:
         if (is_new) {
             entry->second = (arrays_.texels.size() + 15) / 16 * 16;
             arrays_.texels.resize(entry->second + image.bytes.size());
-            std::memcpy(arrays_.texels.data() + entry->second, image.bytes.data(), image.bytes.size());
+            std::memcpy(arrays_.texels.data() + entry->second, image.bytes.data(),
+                        image.bytes.size());
         }
         return entry->second;
     }

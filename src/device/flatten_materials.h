@@ -1,9 +1,9 @@
 // From the document's materials and textures to the kernels' records.
 #pragma once
 
-#include <unordered_map>
-
 #include <teapath/device/scene_arrays.h>
+
+#include <unordered_map>
 
 namespace tp {
 

@@ -16,8 +16,8 @@ struct Placement {
 
 // A flat shape: `turned` says that its front is against edge_u x edge_v.
 template <class Shape>
-std::optional<Hittable> make_flat(HittableKind kind, const Placement& place, const Double3& corner, const Double3& edge_u,
-                                  const Double3& edge_v, bool turned) {
+std::optional<Hittable> make_flat(HittableKind kind, const Placement& place, const Double3& corner,
+                                  const Double3& edge_u, const Double3& edge_v, bool turned) {
     const Double3 u = place.linear * edge_u, v = place.linear * edge_v;
     if (!(glm::length(glm::cross(u, v)) > 0)) return std::nullopt;
     Hittable h;
@@ -67,24 +67,25 @@ struct Flattener {
 
     std::optional<Hittable> operator()(const XyRectShape& r) const {
         const Double2 size = r.high - r.low;
-        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.low.x, r.high.y, r.k}, {size.x, 0, 0},
-                                    {0, -size.y, 0}, true);
+        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.low.x, r.high.y, r.k},
+                                    {size.x, 0, 0}, {0, -size.y, 0}, true);
     }
 
     std::optional<Hittable> operator()(const XzRectShape& r) const {
         const Double2 size = r.high - r.low;
-        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.low.x, r.k, r.low.y}, {size.x, 0, 0},
-                                    {0, 0, size.y}, true);
+        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.low.x, r.k, r.low.y},
+                                    {size.x, 0, 0}, {0, 0, size.y}, true);
     }
 
     std::optional<Hittable> operator()(const YzRectShape& r) const {
         const Double2 size = r.high - r.low;
-        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.k, r.high.x, r.high.y}, {0, 0, -size.y},
-                                    {0, -size.x, 0}, true);
+        return make_flat<Rectangle>(HittableKind::Rectangle, place, {r.k, r.high.x, r.high.y},
+                                    {0, 0, -size.y}, {0, -size.x, 0}, true);
     }
 
     std::optional<Hittable> operator()(const RectangleShape& r) const {
-        return make_flat<Rectangle>(HittableKind::Rectangle, place, r.corner, r.edge_u, r.edge_v, false);
+        return make_flat<Rectangle>(HittableKind::Rectangle, place, r.corner, r.edge_u, r.edge_v,
+                                    false);
     }
 
     std::optional<Hittable> operator()(const BoxShape& b) const {
@@ -93,7 +94,8 @@ struct Flattener {
         Hittable h;
         h.kind = HittableKind::Box;
         DoubleMat3 axes = place.linear;
-        for (int i = 0; i < 3; ++i) axes[i] *= std::abs(half[i]);
+        for (int i = 0; i < 3; ++i)
+            axes[i] *= std::abs(half[i]);
         h.box = Box{make_body(place.point((b.low + b.high) * 0.5), axes)};
         return h;
     }

@@ -1,10 +1,10 @@
 // From a shape of the document to a hittable of the kernels.
 #pragma once
 
-#include <optional>
-
 #include <teapath/kernel/hittable.h>
 #include <teapath/scene/object.h>
+
+#include <optional>
 
 namespace tp {
 

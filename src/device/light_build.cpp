@@ -1,15 +1,17 @@
-#include <algorithm>
-#include <cmath>
-
 #include <teapath/core/color.h>
 #include <teapath/device/light_build.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace tp {
 namespace {
 
 // Power up to a common factor; textures count as white.
 double power_of(const Hittable& h, const MaterialRecord& m) {
-    const double radiance = m.emission.texture >= 0 ? static_cast<double>(m.strength) : static_cast<double>(luminance(m.emission.color));
+    const double radiance = m.emission.texture >= 0
+                                ? static_cast<double>(m.strength)
+                                : static_cast<double>(luminance(m.emission.color));
     const double sides = m.side == EmissionSide::Both ? 2 : 1;
     return std::max(0.0, radiance) * sides * static_cast<double>(area_of(h));
 }
@@ -58,7 +60,8 @@ std::vector<LightRecord> build_lights(std::vector<Hittable>& hittables,
         power.push_back(power_of(h, m));
     }
     double total = 0;
-    for (const double p : power) total += p;
+    for (const double p : power)
+        total += p;
     const auto count = static_cast<double>(lights.size());
     for (size_t i = 0; i < lights.size(); ++i) {
         power[i] = total > 0 ? 0.9 * power[i] / total + 0.1 / count : 1 / count;

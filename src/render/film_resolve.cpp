@@ -1,9 +1,9 @@
 #include "film_resolve.h"
 
+#include <teapath/core/color.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include <teapath/core/color.h>
 
 namespace tp {
 namespace {
@@ -21,12 +21,14 @@ void resolve_radiance(const FilmSums& sums, int64_t samples, FilmImage& image) {
     image.standard_error.resize(pixels);
     for (uint32_t i = 0; i < pixels; ++i) {
         const Vec3 mean = mean_radiance(sums.totals[i], sums.open[i], samples);
-        for (int c = 0; c < 3; ++c) image.radiance[3 * size_t{i} + static_cast<size_t>(c)] = static_cast<float>(mean[c]);
+        for (int c = 0; c < 3; ++c)
+            image.radiance[3 * size_t{i} + static_cast<size_t>(c)] = static_cast<float>(mean[c]);
         const Total& t = sums.totals[i];
         const double square = static_cast<double>(t.sum.w) + static_cast<double>(t.compensation.w) +
                               static_cast<double>(sums.open[i].w);
-        image.standard_error[i] = standard_error(static_cast<double>(luminance(mean)),
-                                                 samples > 0 ? square / static_cast<double>(samples) : 0, samples);
+        image.standard_error[i] =
+            standard_error(static_cast<double>(luminance(mean)),
+                           samples > 0 ? square / static_cast<double>(samples) : 0, samples);
     }
 }
 
@@ -41,8 +43,10 @@ void resolve_features(const FilmSums& sums, int64_t samples, FilmImage& image) {
         const FeatureSum& f = sums.features[i];
         image.alpha[i] = static_cast<float>(f.hits * scale);
         for (int c = 0; c < 3; ++c) {
-            image.albedo[3 * size_t{i} + static_cast<size_t>(c)] = static_cast<float>(f.albedo[c] * scale);
-            image.normal[3 * size_t{i} + static_cast<size_t>(c)] = static_cast<float>(f.normal[c] * scale);
+            image.albedo[3 * size_t{i} + static_cast<size_t>(c)] =
+                static_cast<float>(f.albedo[c] * scale);
+            image.normal[3 * size_t{i} + static_cast<size_t>(c)] =
+                static_cast<float>(f.normal[c] * scale);
         }
         image.depth[i] = f.hits > 0 ? static_cast<float>(f.depth / f.hits) : 0;
     }
@@ -61,7 +65,8 @@ void resolve_ids(const FilmSums& sums, const HittableIds& ids, FilmImage& image)
 
 }  // namespace
 
-FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, int height, int64_t samples) {
+FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, int height,
+                       int64_t samples) {
     FilmImage image;
     image.width = width;
     image.height = height;

@@ -1,11 +1,11 @@
 // From the film's sums to means on the host; used by every backend after its download.
 #pragma once
 
-#include <cstdint>
-
 #include <teapath/core/span.h>
 #include <teapath/kernel/film_view.h>
 #include <teapath/render/film_image.h>
+
+#include <cstdint>
 
 namespace tp {
 
@@ -23,6 +23,7 @@ struct HittableIds {
     Span<const uint32_t> material_ids;
 };
 
-FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, int height, int64_t samples);
+FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, int height,
+                       int64_t samples);
 
 }  // namespace tp

@@ -1,9 +1,6 @@
 // The host's cores as a backend: tiles on a thread pool, path by path.
-#include <algorithm>
-#include <array>
-#include <utility>
-
-#include <fmt/format.h>
+#include "film_resolve.h"
+#include "variants.h"
 
 #include <teapath/core/parallel.h>
 #include <teapath/kernel/features.h>
@@ -11,8 +8,11 @@
 #include <teapath/kernel/trace_pixel.h>
 #include <teapath/render/backend.h>
 
-#include "film_resolve.h"
-#include "variants.h"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
 
 namespace tp {
 namespace {
@@ -23,7 +23,8 @@ constexpr int kTileSize = 16;
 const std::array<float, 256>& srgb_table() {
     static const std::array<float, 256> table = [] {
         std::array<float, 256> t{};
-        for (size_t i = 0; i < t.size(); ++i) t[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+        for (size_t i = 0; i < t.size(); ++i)
+            t[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
         return t;
     }();
     return table;
@@ -79,7 +80,8 @@ public:
         with_variant(arrays_.features, [&]<uint32_t kFeatures>() {
             pool_.for_each(int64_t{columns} * rows, [&](int64_t i) {
                 if (cancel.load(std::memory_order_relaxed)) return;
-                invalid += render_tile<kFeatures>(tile_at(static_cast<int>(i % columns), static_cast<int>(i / columns)), range);
+                invalid += render_tile<kFeatures>(
+                    tile_at(static_cast<int>(i % columns), static_cast<int>(i / columns)), range);
             });
         });
         counters_.samples += static_cast<uint64_t>(range.count) * totals_.size();
@@ -91,17 +93,21 @@ public:
     FilmImage read_film() override {
         std::vector<uint32_t> hittables;
         if (setup_.features) hittables = hittables_at_centres();
-        return resolve_film({make_span(std::as_const(totals_)), make_span(std::as_const(open_)),
-                             make_span(std::as_const(features_)), make_span(std::as_const(hittables))},
-                            {params_.scene.hittables, params_.scene.material_ids}, setup_.width, setup_.height, samples_);
+        return resolve_film(
+            {make_span(std::as_const(totals_)), make_span(std::as_const(open_)),
+             make_span(std::as_const(features_)), make_span(std::as_const(hittables))},
+            {params_.scene.hittables, params_.scene.material_ids}, setup_.width, setup_.height,
+            samples_);
     }
 
     std::vector<uint8_t> read_display(const DisplaySettings& display) override {
         std::vector<uint8_t> rgb(3 * totals_.size());
         pool_.for_each(setup_.height, [&](int64_t y) {
             for (int x = 0; x < setup_.width; ++x) {
-                const size_t i = static_cast<size_t>(y) * static_cast<size_t>(setup_.width) + static_cast<size_t>(x);
-                const Rgb8 color = display_color(mean_radiance(totals_[i], open_[i], samples_), display);
+                const size_t i = static_cast<size_t>(y) * static_cast<size_t>(setup_.width) +
+                                 static_cast<size_t>(x);
+                const Rgb8 color =
+                    display_color(mean_radiance(totals_[i], open_[i], samples_), display);
                 rgb[3 * i] = color.r;
                 rgb[3 * i + 1] = color.g;
                 rgb[3 * i + 2] = color.b;
@@ -134,7 +140,8 @@ private:
                 invalid += render_pixel<kFeatures>(x, y, range, totals_[pixel], open_[pixel]);
                 if (!setup_.features) continue;
                 for (int64_t s = range.first; s < range.first + range.count; ++s)
-                    add_features<kFeatures>(params_, x, y, static_cast<uint64_t>(s), features_[pixel]);
+                    add_features<kFeatures>(params_, x, y, static_cast<uint64_t>(s),
+                                            features_[pixel]);
             }
         }
         return invalid;
@@ -142,7 +149,8 @@ private:
 
     // Samples block by block; each full block is folded into the total.
     template <uint32_t kFeatures>
-    uint64_t render_pixel(uint32_t x, uint32_t y, const SampleRange& range, Total& total, BlockSum& open) {
+    uint64_t render_pixel(uint32_t x, uint32_t y, const SampleRange& range, Total& total,
+                          BlockSum& open) {
         uint64_t invalid = 0;
         const int64_t end = range.first + range.count;
         for (int64_t first = range.first; first < end;) {
@@ -163,8 +171,10 @@ private:
         with_variant(arrays_.features, [&]<uint32_t kFeatures>() {
             pool_.for_each(setup_.height, [&](int64_t y) {
                 for (int x = 0; x < setup_.width; ++x)
-                    found[static_cast<size_t>(y) * static_cast<size_t>(setup_.width) + static_cast<size_t>(x)] =
-                        hittable_at<kFeatures>(params_, static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5));
+                    found[static_cast<size_t>(y) * static_cast<size_t>(setup_.width) +
+                          static_cast<size_t>(x)] =
+                        hittable_at<kFeatures>(params_, static_cast<Real>(x) + Real(0.5),
+                                               static_cast<Real>(y) + Real(0.5));
             });
         });
         return found;
@@ -183,6 +193,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> make_host_backend(int threads) { return std::make_unique<HostBackend>(threads); }
+std::unique_ptr<Backend> make_host_backend(int threads) {
+    return std::make_unique<HostBackend>(threads);
+}
 
 }  // namespace tp

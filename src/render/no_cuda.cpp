@@ -10,6 +10,8 @@ std::unique_ptr<Backend> make_cuda_backend(int) {
                 "build with the CUDA Toolkit, or render with --backend host");
 }
 
-DeviceList cuda_devices() { return {{}, "this build has no CUDA backend"}; }
+DeviceList cuda_devices() {
+    return {{}, "this build has no CUDA backend"};
+}
 
 }  // namespace tp

@@ -1,8 +1,8 @@
-#include <utility>
-
 #include <teapath/core/error.h>
 #include <teapath/core/log.h>
 #include <teapath/render/session.h>
+
+#include <utility>
 
 namespace tp {
 namespace {
@@ -20,7 +20,8 @@ std::unique_ptr<Backend> make_backend(const SessionOptions& options) {
 
 }  // namespace
 
-Session::Session(const SessionOptions& options) : options_(options), backend_(make_backend(options)) {}
+Session::Session(const SessionOptions& options)
+    : options_(options), backend_(make_backend(options)) {}
 
 Session::~Session() = default;
 
@@ -50,8 +51,12 @@ bool Session::step(int64_t samples) {
     return true;
 }
 
-FilmImage Session::film() const { return backend_->read_film(); }
+FilmImage Session::film() const {
+    return backend_->read_film();
+}
 
-std::vector<uint8_t> Session::display() const { return backend_->read_display(scene_->display); }
+std::vector<uint8_t> Session::display() const {
+    return backend_->read_display(scene_->display);
+}
 
 }  // namespace tp

@@ -1,6 +1,6 @@
-#include <cmath>
-
 #include <teapath/scene/transform.h>
+
+#include <cmath>
 
 namespace tp {
 namespace {
@@ -26,8 +26,10 @@ DoubleMat3 rotation_about(int axis, double degrees) {
 }  // namespace
 
 DoubleMat3 linear_part(const Transform& t) {
-    DoubleMat3 m = rotation_about(2, t.rotation.z) * rotation_about(1, t.rotation.y) * rotation_about(0, t.rotation.x);
-    for (int axis = 0; axis < 3; ++axis) m[axis] *= t.scale[axis];
+    DoubleMat3 m = rotation_about(2, t.rotation.z) * rotation_about(1, t.rotation.y) *
+                   rotation_about(0, t.rotation.x);
+    for (int axis = 0; axis < 3; ++axis)
+        m[axis] *= t.scale[axis];
     return m;
 }
 

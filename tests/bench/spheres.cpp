@@ -1,17 +1,18 @@
-// Rate of the sphere scenes: bench_spheres FILE [samples] [host|cuda] [rounds]. Prints Msamples/s, best of
-// five, and the mean radiance. A scene file has the camera in its first line (look-from, look-at, vertical field of
-// view, aperture, focus distance), a count, then a sphere a line: x y z radius material r g b parameter.
+// Rate of the sphere scenes: bench_spheres FILE [samples] [host|cuda] [rounds]. Prints Msamples/s,
+// best of five, and the mean radiance. A scene file has the camera in its first line (look-from,
+// look-at, vertical field of view, aperture, focus distance), a count, then a sphere a line: x y z
+// radius material r g b parameter.
+#include <teapath/core/error.h>
+#include <teapath/render/session.h>
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
-
-#include <fmt/format.h>
-
-#include <teapath/core/error.h>
-#include <teapath/render/session.h>
 
 namespace {
 
@@ -21,8 +22,9 @@ tp::Scene read_spheres(const char* path) {
     tp::Camera camera;
     camera.id = {1};
     std::string word;
-    file >> word >> camera.look_from.x >> camera.look_from.y >> camera.look_from.z >> camera.look_at.x >> camera.look_at.y >>
-        camera.look_at.z >> camera.vertical_fov >> camera.aperture >> camera.focus_distance;
+    file >> word >> camera.look_from.x >> camera.look_from.y >> camera.look_from.z >>
+        camera.look_at.x >> camera.look_at.y >> camera.look_at.z >> camera.vertical_fov >>
+        camera.aperture >> camera.focus_distance;
     scene.cameras = {camera};
     size_t count = 0;
     file >> count;
@@ -31,8 +33,8 @@ tp::Scene read_spheres(const char* path) {
         int kind = 0;
         tp::Double3 color;
         double parameter = 0;
-        file >> sphere.center.x >> sphere.center.y >> sphere.center.z >> sphere.radius >> kind >> color.x >> color.y >>
-            color.z >> parameter;
+        file >> sphere.center.x >> sphere.center.y >> sphere.center.z >> sphere.radius >> kind >>
+            color.x >> color.y >> color.z >> parameter;
         tp::Material material;
         material.id = {i};
         material.kind = kind == 0   ? tp::MaterialKind::Lambertian
@@ -62,7 +64,8 @@ int main(int argc, char** argv) try {
     tp::Scene scene = read_spheres(argv[1]);
     const int samples = argc > 2 ? std::atoi(argv[2]) : 100;
     tp::SessionOptions options;
-    options.backend = argc > 3 && std::string(argv[3]) == "cuda" ? tp::BackendKind::Cuda : tp::BackendKind::Host;
+    options.backend =
+        argc > 3 && std::string(argv[3]) == "cuda" ? tp::BackendKind::Cuda : tp::BackendKind::Host;
     if (argc > 4) scene.render.path.tea_rounds = std::atoi(argv[4]);
     if (const char* threads = std::getenv("THREADS")) options.threads = std::atoi(threads);
     tp::Session session(options);
@@ -72,20 +75,26 @@ int main(int argc, char** argv) try {
     for (int i = 0; i < repeats; ++i) {
         const auto start = std::chrono::steady_clock::now();
         session.step(samples);
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        best = std::min(
+            best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     }
     const tp::FilmImage film = session.film();
     double mean[3] = {0, 0, 0};
-    for (size_t i = 0; i < film.radiance.size(); ++i) mean[i % 3] += film.radiance[i];
+    for (size_t i = 0; i < film.radiance.size(); ++i)
+        mean[i % 3] += film.radiance[i];
     const double pixels = static_cast<double>(film.radiance.size()) / 3;
-    fmt::print("{} {} spp on {}: {:.1f} Msamples/s, {:.2f} ms, mean {:.6f} {:.6f} {:.6f}, tree depth {}, cost {:.1f}\n", argv[1],
-               samples, session.backend_name(), pixels * samples / best / 1e6, best * 1e3, mean[0] / pixels, mean[1] / pixels,
-               mean[2] / pixels, session.arrays().bvh.depth, session.arrays().bvh.sah_cost);
+    fmt::print(
+        "{} {} spp on {}: {:.1f} Msamples/s, {:.2f} ms, mean {:.6f} {:.6f} {:.6f}, tree depth {}, "
+        "cost {:.1f}\n",
+        argv[1], samples, session.backend_name(), pixels * samples / best / 1e6, best * 1e3,
+        mean[0] / pixels, mean[1] / pixels, mean[2] / pixels, session.arrays().bvh.depth,
+        session.arrays().bvh.sah_cost);
     if (argc > 5) {
         const auto rgb = session.display();
         std::ofstream out(argv[5], std::ios::binary);
         out << "P6\n1200 800\n255\n";
-        out.write(reinterpret_cast<const char*>(rgb.data()), static_cast<std::streamsize>(rgb.size()));
+        out.write(reinterpret_cast<const char*>(rgb.data()),
+                  static_cast<std::streamsize>(rgb.size()));
     }
     return 0;
 } catch (const tp::Error& error) {

@@ -63,8 +63,12 @@ TP_HD T lerp(T a, T b, Real t) {
     return a * (1 - t) + b * t;
 }
 
-TP_HD float min(float a, float b) { return minimum(a, b); }
-TP_HD float max(float a, float b) { return maximum(a, b); }
+TP_HD float min(float a, float b) {
+    return minimum(a, b);
+}
+TP_HD float max(float a, float b) {
+    return maximum(a, b);
+}
 TP_HD Vec3 min(Vec3 a, Vec3 b) {
     return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
 }

@@ -21,7 +21,9 @@ struct Span {
     TP_HD_MEMBER T* begin() const { return data; }
     TP_HD_MEMBER T* end() const { return data + size; }
     TP_HD_MEMBER bool empty() const { return size == 0; }
-    TP_HD_MEMBER operator Span<const T>() const requires(!std::is_const_v<T>) {
+    template <class U>
+    requires(std::is_same_v<U, const T> && !std::is_const_v<T>) TP_HD_MEMBER operator Span<U>()
+        const {
         return {data, size};
     }
 };

@@ -3,9 +3,10 @@
 // One round here is one cycle of the algorithm, that is two Feistel rounds.
 #pragma once
 
-#include <cstdint>
-
 #include <teapath/core/math.h>
+
+#include <cstdint>
+#include <utility>
 
 namespace tp {
 
@@ -32,11 +33,16 @@ TP_HD void tea_cycle(TeaBlock& b, const TeaKey& key, uint32_t sum) {
     b.v1 += ((b.v0 << 4) + key.k2) ^ (b.v0 + sum) ^ ((b.v0 >> 5) + key.k3);
 }
 
-/// Encrypts with a number of rounds known at compile time, unrolled.
+template <uint32_t... kIndex>
+TP_HD void tea_cycles(TeaBlock& block, const TeaKey& key,
+                      std::integer_sequence<uint32_t, kIndex...>) {
+    (tea_cycle(block, key, (kIndex + 1) * kTeaDelta), ...);
+}
+
+/// Encrypts with a number of rounds known at compile time: straight-line code.
 template <int kRounds>
 TP_HD TeaBlock tea_encrypt(TeaBlock block, const TeaKey& key) {
-#pragma GCC unroll 32
-    for (uint32_t i = 1; i <= static_cast<uint32_t>(kRounds); ++i) tea_cycle(block, key, i * kTeaDelta);
+    tea_cycles(block, key, std::make_integer_sequence<uint32_t, kRounds>{});
     return block;
 }
 
@@ -74,7 +80,9 @@ TP_HD TeaKey derive_key(TeaBlock data, const TeaKey& initial, int rounds) {
 /// The key of a device's stream: from (device, low half of the seed); a high half that is not zero
 /// goes in by one more pass. Rounds are clamped to [6, 32].
 TP_HD TeaKey tea_key(uint32_t device, uint64_t seed, int rounds = 16) {
-    rounds = rounds < kMinTeaRounds ? kMinTeaRounds : rounds > kMaxTeaRounds ? kMaxTeaRounds : rounds;
+    rounds = rounds < kMinTeaRounds   ? kMinTeaRounds
+             : rounds > kMaxTeaRounds ? kMaxTeaRounds
+                                      : rounds;
     const TeaKey key = derive_key({device, static_cast<uint32_t>(seed)}, kTeaInitialKey, rounds);
     const auto high = static_cast<uint32_t>(seed >> 32);
     return high == 0 ? key : derive_key({high, 1}, key, rounds);

@@ -1,27 +1,28 @@
 // Builds the two-wide tree over hittables: binned surface area heuristic, on all cores.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include <teapath/core/bounds.h>
 #include <teapath/device/scene_arrays.h>
 #include <teapath/kernel/records.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace tp {
 
 struct BvhConfig {
-    int bins = 16;             // of the centroids along each axis
-    uint32_t leaf_size = 4;    // hittables at most, up to kMaxLeafSize
-    double node_cost = 1.0;    // of visiting a node with its two boxes
-    double leaf_cost = 0.6;    // of testing one hittable
-    int max_depth = kMaxTreeDepth;  // levels of nodes; near the bound, medians replace the heuristic
+    int bins = 16;           // of the centroids along each axis
+    uint32_t leaf_size = 4;  // hittables at most, up to kMaxLeafSize
+    double node_cost = 1.0;  // of visiting a node with its two boxes
+    double leaf_cost = 0.6;  // of testing one hittable
+    int max_depth =
+        kMaxTreeDepth;  // levels of nodes; near the bound, medians replace the heuristic
 };
 
 struct BvhTree {
-    std::vector<BvhNode> nodes;     // node 0 is the root; empty for no boxes
-    std::vector<uint32_t> order;    // leaf position -> index of the box; each index once
-    Bounds bounds;                  // of everything
+    std::vector<BvhNode> nodes;   // node 0 is the root; empty for no boxes
+    std::vector<uint32_t> order;  // leaf position -> index of the box; each index once
+    Bounds bounds;                // of everything
     BvhStats stats;
 };
 

@@ -1,12 +1,12 @@
 // The scene as the kernels read it: flat arrays, derived from the document and never edited.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/records.h>
 #include <teapath/scene/scene.h>
+
+#include <cstdint>
+#include <vector>
 
 namespace tp {
 
@@ -43,8 +43,8 @@ struct SceneArrays {
     BackgroundRecord background;
     CameraRecord camera;
     PathSettings settings;
-    Bounds bounds;          // of all hittables
-    uint32_t features = 0;  // SceneFeature bits that the scene needs
+    Bounds bounds;             // of all hittables
+    uint32_t features = 0;     // SceneFeature bits that the scene needs
     bool brute_force = false;  // tests: traversal visits every hittable
     BvhStats bvh;
 

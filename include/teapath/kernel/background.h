@@ -25,8 +25,10 @@ TP_HD Vec3 image_background(const SceneView& scene, const BackgroundRecord& back
     const int x1 = wrap_texel(static_cast<int>(fx) + 1, image.width, WrapMode::Repeat);
     const int y0 = wrap_texel(static_cast<int>(fy), image.height, WrapMode::Clamp);
     const int y1 = wrap_texel(static_cast<int>(fy) + 1, image.height, WrapMode::Clamp);
-    const Vec4 top = lerp(load_texel(scene, image, x0, y0), load_texel(scene, image, x1, y0), x - fx);
-    const Vec4 bottom = lerp(load_texel(scene, image, x0, y1), load_texel(scene, image, x1, y1), x - fx);
+    const Vec4 top =
+        lerp(load_texel(scene, image, x0, y0), load_texel(scene, image, x1, y0), x - fx);
+    const Vec4 bottom =
+        lerp(load_texel(scene, image, x0, y1), load_texel(scene, image, x1, y1), x - fx);
     return Vec3(lerp(top, bottom, y - fy));
 }
 
@@ -35,7 +37,8 @@ template <uint32_t kFeatures>
 TP_HD Vec3 background_radiance(const SceneView& scene, Vec3 d) {
     const BackgroundRecord& background = scene.background;
     if ((kFeatures & kFeatureTextures) && background.kind == BackgroundKind::Image) {
-        const Vec3 color = background.texture < 0 ? Vec3(0, 1, 1) : image_background(scene, background, d);
+        const Vec3 color =
+            background.texture < 0 ? Vec3(0, 1, 1) : image_background(scene, background, d);
         return color * background.strength;
     }
     if (background.kind == BackgroundKind::Gradient) {

@@ -14,7 +14,8 @@ struct CameraRay {
 
 /// The ray through film position `film` in pixels (x to the right, y down, of width x height) that
 /// leaves the lens at `lens`, uniform in [0, 1)^2. With clip planes it starts and ends on them.
-TP_HD CameraRay camera_ray(const CameraRecord& camera, Vec2 film, Real width, Real height, Vec2 lens) {
+TP_HD CameraRay camera_ray(const CameraRecord& camera, Vec2 film, Real width, Real height,
+                           Vec2 lens) {
     const Real x = (2 * film.x / width - 1) * camera.half_width;
     const Real y = (1 - 2 * film.y / height) * camera.half_height;
     Vec3 towards = camera.forward + camera.right * x + camera.up * y;

@@ -2,9 +2,9 @@
 // surface that the path meets has eight.
 #pragma once
 
-#include <cstdint>
-
 #include <teapath/core/host_device.h>
+
+#include <cstdint>
 
 namespace tp {
 
@@ -20,6 +20,8 @@ inline constexpr uint32_t kDimensionLobe = 6;  // third number of the bsdf
 inline constexpr uint32_t kDimensionOpacity = 7;
 
 /// The first dimension of the path's surface number `vertex` = 1, 2, …
-TP_HD uint32_t vertex_dimension(uint32_t vertex) { return 8 * vertex; }
+TP_HD uint32_t vertex_dimension(uint32_t vertex) {
+    return 8 * vertex;
+}
 
 }  // namespace tp

@@ -9,8 +9,10 @@ namespace tp {
 
 /// Adds what sample `sample` of pixel (x, y) meets first.
 template <uint32_t kFeatures>
-TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint64_t sample, FeatureSum& sum) {
-    const Sampler sampler = path_sampler(params, y * static_cast<uint32_t>(params.width) + x, sample);
+TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint64_t sample,
+                        FeatureSum& sum) {
+    const Sampler sampler =
+        path_sampler(params, y * static_cast<uint32_t>(params.width) + x, sample);
     const PathState path = start_camera_path<kFeatures>(params, sampler, x, y);
     const Hit hit = intersect<kFeatures>(params, path);
     if (hit.index == kNoHit) {
@@ -19,8 +21,10 @@ TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint
     }
     const Hittable& hittable = params.scene.hittables[hit.index];
     const MaterialRecord& material = params.scene.materials[hittable.material];
-    const Surface s = make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
-    const ColorRef& ref = material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
+    const Surface s =
+        make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
+    const ColorRef& ref =
+        material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
     sum.albedo += Vec3(material_color<kFeatures>(params.scene, ref, s));
     sum.normal += s.normal;
     sum.depth += dot(s.point.position - params.camera.origin, params.camera.forward);
@@ -32,7 +36,8 @@ template <uint32_t kFeatures>
 TP_HD uint32_t hittable_at(const LaunchParams& params, Real x, Real y) {
     CameraRecord pinhole = params.camera;
     pinhole.lens_radius = 0;
-    const CameraRay ray = camera_ray(pinhole, {x, y}, static_cast<Real>(params.width), static_cast<Real>(params.height), {0, 0});
+    const CameraRay ray = camera_ray(pinhole, {x, y}, static_cast<Real>(params.width),
+                                     static_cast<Real>(params.height), {0, 0});
     PathState path;
     path.origin = ray.origin;
     path.direction = ray.direction;

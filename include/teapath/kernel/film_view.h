@@ -45,8 +45,10 @@ struct FeatureSum {
 /// The film's mean after `samples`: total, its compensation and the block that is not full yet.
 TP_HD Vec3 mean_radiance(const Total& total, const BlockSum& open, int64_t samples) {
     const Real scale = samples > 0 ? 1 / static_cast<Real>(samples) : 0;
-    return Vec3(total.sum.x + (total.compensation.x + open.x), total.sum.y + (total.compensation.y + open.y),
-                total.sum.z + (total.compensation.z + open.z)) * scale;
+    return Vec3(total.sum.x + (total.compensation.x + open.x),
+                total.sum.y + (total.compensation.y + open.y),
+                total.sum.z + (total.compensation.z + open.z)) *
+           scale;
 }
 
 }  // namespace tp

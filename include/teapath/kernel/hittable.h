@@ -23,11 +23,18 @@ struct alignas(16) Hittable {
     HittableKind kind;
     uint8_t inside_out;  // 1: the normal is turned round
     uint16_t unused;
-    uint32_t material;   // index of the MaterialRecord
-    uint32_t object;     // ObjectId::value
-    uint32_t light;      // index of the LightRecord, kNoLight = none
+    uint32_t material;  // index of the MaterialRecord
+    uint32_t object;    // ObjectId::value
+    uint32_t light;     // index of the LightRecord, kNoLight = none
 
-    TP_HD_MEMBER Hittable() : sphere{}, kind(HittableKind::Sphere), inside_out(0), unused(0), material(0), object(0), light(0xffffffff) {}
+    TP_HD_MEMBER Hittable()
+        : sphere{},
+          kind(HittableKind::Sphere),
+          inside_out(0),
+          unused(0),
+          material(0),
+          object(0),
+          light(0xffffffff) {}
 };
 /// True if the hittable's normal points into a closed shape.
 TP_HD bool is_turned_inwards(const Hittable& h) {
@@ -69,8 +76,8 @@ TP_HD bool intersect(const Hittable& h, Vec3 origin, Vec3 direction, Real t_max,
 
 /// The surface where the ray met `h`, with the normal on the hittable's own side.
 TP_HD SurfacePoint surface_at(const Hittable& h, Vec3 origin, Vec3 direction, const Hit& hit) {
-    SurfacePoint point = with_shape(
-        h, [&](const auto& shape) { return surface_at(shape, origin, direction, hit); });
+    SurfacePoint point =
+        with_shape(h, [&](const auto& shape) { return surface_at(shape, origin, direction, hit); });
     if (h.inside_out) point.normal = -point.normal;
     return point;
 }
@@ -91,9 +98,8 @@ TP_HD ShapeSample sample_toward(const Hittable& h, Vec3 from, Vec2 u) {
 /// The pdf over solid angle that sample_toward has for a direction that met `h` at `point`.
 TP_HD Real pdf_toward(const Hittable& h, Vec3 from, Vec3 direction, const SurfacePoint& point,
                       Real distance) {
-    return with_shape(h, [&](const auto& shape) {
-        return pdf_toward(shape, from, direction, point, distance);
-    });
+    return with_shape(
+        h, [&](const auto& shape) { return pdf_toward(shape, from, direction, point, distance); });
 }
 
 }  // namespace tp

@@ -11,10 +11,10 @@ struct PathState {
     Real t_max = kInfinity;    // of the next segment; finite behind a far clip plane only
     Vec3 throughput{1, 1, 1};  // what radiance at the end of the next segment counts for
     Vec3 radiance{0, 0, 0};    // gathered so far
-    Real bsdf_pdf = 0;         // density that sampled `direction`; 0 after a delta lobe or the camera
-    Real eta_scale = 1;        // product of squared relative indices, taken out for Russian roulette
-    uint32_t depth = 1;        // segments, the next one counted
-    uint32_t vertex = 1;       // surfaces met, the next one counted; numbers the random dimensions
+    Real bsdf_pdf = 0;    // density that sampled `direction`; 0 after a delta lobe or the camera
+    Real eta_scale = 1;   // product of squared relative indices, taken out for Russian roulette
+    uint32_t depth = 1;   // segments, the next one counted
+    uint32_t vertex = 1;  // surfaces met, the next one counted; numbers the random dimensions
 };
 
 /// A segment towards a point of a light, and what it brings if nothing lies between.

@@ -20,7 +20,8 @@ inline constexpr uint32_t kMaxPassThrough = 512;
 
 /// The random numbers of sample `sample` of pixel `pixel` = y * width + x.
 TP_HD Sampler path_sampler(const LaunchParams& params, uint32_t pixel, uint64_t sample) {
-    return make_sampler(params.key, pixel, sample, params.settings.sampler, params.settings.tea_rounds);
+    return make_sampler(params.key, pixel, sample, params.settings.sampler,
+                        params.settings.tea_rounds);
 }
 
 /// Moves the start of a far camera's ray to the scene's box, where numbers are precise again.
@@ -35,7 +36,8 @@ TP_HD void skip_to_scene(const SceneView& scene, PathState& path) {
 
 /// Step 1: a path through pixel (x, y).
 template <uint32_t kFeatures>
-TP_HD PathState start_camera_path(const LaunchParams& params, const Sampler& sampler, uint32_t x, uint32_t y) {
+TP_HD PathState start_camera_path(const LaunchParams& params, const Sampler& sampler, uint32_t x,
+                                  uint32_t y) {
     const Vec2 jitter = sample_2d<(kFeatures & kFeatureSobol) != 0>(sampler, kDimensionPixel);
     Vec2 lens{0, 0};
     if (params.camera.lens_radius > 0)
@@ -72,12 +74,12 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
     // Pick a light and a point on it.
     constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
     const uint32_t dimension = vertex_dimension(path.vertex);
-    const LightRecord& light =
-        params.scene.lights[pick_light(params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
+    const LightRecord& light = params.scene.lights[pick_light(
+        params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
     const Hittable& emitter = params.scene.hittables[light.hittable];
     const MaterialRecord& material = params.scene.materials[emitter.material];
-    const ShapeSample sample =
-        sample_toward(emitter, s.point.position, sample_2d<kSobol>(sampler, dimension + kDimensionLight));
+    const ShapeSample sample = sample_toward(
+        emitter, s.point.position, sample_2d<kSobol>(sampler, dimension + kDimensionLight));
     const Real pdf = sample.pdf * light.probability;
     const bool front = dot(sample.direction, sample.point.normal) < 0;
     if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
@@ -93,10 +95,12 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
         at_light.uv = texture_uv(emitter, sample.point);
     Vec3 radiance = emitted_radiance<kFeatures>(params.scene, material, at_light);
     if constexpr ((kFeatures & kFeatureOpacity) != 0)
-        radiance *= material.opacity * material_color<kFeatures>(params.scene, material.color, at_light).w;
+        radiance *=
+            material.opacity * material_color<kFeatures>(params.scene, material.color, at_light).w;
 
     const Real weight = mis_weight(pdf, bsdf_pdf(bsdf, wo, sample.direction));
-    shadow.origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
+    shadow.origin =
+        offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
     shadow.direction = sample.direction;
     shadow.distance = sample.distance;
     shadow.light = light.hittable;
@@ -106,17 +110,20 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
 
 /// The integrators that end at the first surface.
 template <uint32_t kFeatures>
-TP_HD Vec3 first_hit_color(const LaunchParams& params, const Surface& s, const MaterialRecord& material) {
-    if (params.settings.integrator == IntegratorKind::Normal) return (s.normal + Vec3(1, 1, 1)) * Real(0.5);
-    const ColorRef& ref = material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
+TP_HD Vec3 first_hit_color(const LaunchParams& params, const Surface& s,
+                           const MaterialRecord& material) {
+    if (params.settings.integrator == IntegratorKind::Normal)
+        return (s.normal + Vec3(1, 1, 1)) * Real(0.5);
+    const ColorRef& ref =
+        material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
     return Vec3(material_color<kFeatures>(params.scene, ref, s));
 }
 
 /// Step 3: gathers what the path has met and chooses where it goes. Returns false where it ends;
 /// `shadow` may be active either way.
 template <uint32_t kFeatures>
-TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& hit, PathState& path,
-                 ShadowQuery& shadow) {
+TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& hit,
+                 PathState& path, ShadowQuery& shadow) {
     constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
     const SceneView& scene = params.scene;
     const PathSettings& settings = params.settings;
@@ -144,7 +151,8 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
         }
     }
     if constexpr ((kFeatures & kFeatureDebug) != 0) {
-        if (settings.integrator == IntegratorKind::Normal || settings.integrator == IntegratorKind::Flat) {
+        if (settings.integrator == IntegratorKind::Normal ||
+            settings.integrator == IntegratorKind::Flat) {
             path.radiance += path.throughput * first_hit_color<kFeatures>(params, s, material);
             return false;
         }
@@ -155,11 +163,14 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
         if (emits_towards(material, is_turned_inwards(hittable), s.front)) {
             Real weight = 1;
             if (path.bsdf_pdf > 0 && settings.light_sampling)
-                weight = mis_weight(path.bsdf_pdf, light_pdf(scene, hittable, path.origin, path.direction, s.point, hit.t));
-            path.radiance += path.throughput * emitted_radiance<kFeatures>(scene, material, s) * weight;
+                weight = mis_weight(path.bsdf_pdf, light_pdf(scene, hittable, path.origin,
+                                                             path.direction, s.point, hit.t));
+            path.radiance +=
+                path.throughput * emitted_radiance<kFeatures>(scene, material, s) * weight;
         }
     }
-    if (material.kind == MaterialKind::DiffuseLight || path.depth >= static_cast<uint32_t>(settings.max_depth))
+    if (material.kind == MaterialKind::DiffuseLight ||
+        path.depth >= static_cast<uint32_t>(settings.max_depth))
         return false;
 
     // Direct light.
@@ -173,7 +184,8 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     // The next direction.
     const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionBsdf);
     Real u3 = 0;
-    if ((material.kind == MaterialKind::Metal && bsdf.fuzz > 0) || settings.scatter == ScatterRule::CosineCubed)
+    if ((material.kind == MaterialKind::Metal && bsdf.fuzz > 0) ||
+        settings.scatter == ScatterRule::CosineCubed)
         u3 = sample_1d<kSobol>(sampler, dimension + kDimensionLobe);
     const BsdfSample next = bsdf_sample(bsdf, wo, u, u3);
     if (is_black(next.weight)) return false;
@@ -183,10 +195,12 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     leave_surface(path, s, next.wi);
 
     // Russian roulette.
-    if (settings.roulette_depth > 0 && path.depth >= static_cast<uint32_t>(settings.roulette_depth)) {
+    if (settings.roulette_depth > 0 &&
+        path.depth >= static_cast<uint32_t>(settings.roulette_depth)) {
         const Real survival = max_component(path.throughput) * path.eta_scale;
         if (survival < 1) {
-            if (sample_1d<kSobol>(sampler, dimension + kDimensionRoulette) >= survival) return false;
+            if (sample_1d<kSobol>(sampler, dimension + kDimensionRoulette) >= survival)
+                return false;
             path.throughput /= survival;
         }
     }
@@ -199,8 +213,8 @@ template <uint32_t kFeatures>
 TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) {
     const SceneView& scene = params.scene;
     if constexpr ((kFeatures & kFeatureOpacity) == 0) {
-        const bool blocked =
-            is_blocked<kFeatures>(scene, shadow.origin, shadow.direction, shadow.distance, shadow.light);
+        const bool blocked = is_blocked<kFeatures>(scene, shadow.origin, shadow.direction,
+                                                   shadow.distance, shadow.light);
         return blocked ? Vec3(0, 0, 0) : Vec3(1, 1, 1);
     } else {
         // From surface to surface; each lets its share through.
@@ -210,14 +224,18 @@ TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) 
         for (uint32_t i = 0; i < kMaxPassThrough; ++i) {
             Hit hit;
             hit.t = left;
-            if (!traverse<kFeatures, false>(scene, origin, shadow.direction, shadow.light, hit)) return share;
+            if (!traverse<kFeatures, false>(scene, origin, shadow.direction, shadow.light, hit))
+                return share;
             const Hittable& hittable = scene.hittables[hit.index];
             const MaterialRecord& material = scene.materials[hittable.material];
-            const Surface s = make_surface<kFeatures>(scene, hittable, origin, shadow.direction, hit);
-            const Real opacity = material.opacity * material_color<kFeatures>(scene, material.color, s).w;
+            const Surface s =
+                make_surface<kFeatures>(scene, hittable, origin, shadow.direction, hit);
+            const Real opacity =
+                material.opacity * material_color<kFeatures>(scene, material.color, s).w;
             share *= material.pass_through * (1 - min(opacity, Real(1)));
             if (is_black(share)) break;
-            origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal, shadow.direction);
+            origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal,
+                                       shadow.direction);
             left -= hit.t;
         }
         return {0, 0, 0};
@@ -226,8 +244,10 @@ TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) 
 
 /// Step 4: adds the light of an active query.
 template <uint32_t kFeatures>
-TP_HD void connect_to_light(const LaunchParams& params, const ShadowQuery& shadow, PathState& path) {
-    if (shadow.is_active) path.radiance += shadow.contribution * transmittance<kFeatures>(params, shadow);
+TP_HD void connect_to_light(const LaunchParams& params, const ShadowQuery& shadow,
+                            PathState& path) {
+    if (shadow.is_active)
+        path.radiance += shadow.contribution * transmittance<kFeatures>(params, shadow);
 }
 
 /// Step 5: the path's radiance, black if it is not finite; then `is_valid` is false.

@@ -24,7 +24,8 @@ struct Rgb8 {
 TP_HD Rgb8 display_color(Vec3 radiance, const DisplaySettings& display) {
     const float scale = exp2f(display.exposure);
     const auto code = [&](Real x) {
-        return static_cast<uint8_t>(tone_map(static_cast<float>(x) * scale, display.curve) * 255.0f + 0.5f);
+        return static_cast<uint8_t>(
+            tone_map(static_cast<float>(x) * scale, display.curve) * 255.0f + 0.5f);
     };
     return {code(radiance.x), code(radiance.y), code(radiance.z)};
 }

@@ -90,7 +90,7 @@ struct CameraRecord {
     Real half_height = 1;
     Real lens_radius = 0;
     Real focus_distance = 1;
-    Real near_clip = 0;          // along `forward`; 0 = off
+    Real near_clip = 0;  // along `forward`; 0 = off
     Real far_clip = kInfinity;
 };
 

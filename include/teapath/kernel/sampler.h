@@ -17,9 +17,11 @@ struct Sampler {
 inline constexpr uint32_t kSampleBits = 20, kPairBits = 12;
 
 /// The numbers of sample `sample` of `pixel`.
-TP_HD Sampler make_sampler(const TeaKey& key, uint32_t pixel, uint64_t sample, SamplerKind kind, int rounds) {
+TP_HD Sampler make_sampler(const TeaKey& key, uint32_t pixel, uint64_t sample, SamplerKind kind,
+                           int rounds) {
     Sampler s{key, pixel, static_cast<uint32_t>(sample) & ((1u << kSampleBits) - 1), rounds, kind};
-    if (sample >> kSampleBits) s.key = derive_key({static_cast<uint32_t>(sample >> kSampleBits), 2}, key, 16);
+    if (sample >> kSampleBits)
+        s.key = derive_key({static_cast<uint32_t>(sample >> kSampleBits), 2}, key, 16);
     return s;
 }
 

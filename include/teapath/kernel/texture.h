@@ -31,7 +31,8 @@ TP_HD Vec4 load_texel(const SceneView& scene, const ImageRecord& image, int x, i
             value[c] = decode ? scene.srgb_table[code] : static_cast<float>(code) * (1.0f / 255.0f);
         } else if (image.bytes_per_channel == 2) {
             const auto* codes = reinterpret_cast<const uint16_t*>(texels);
-            const float x01 = static_cast<float>(codes[first + static_cast<uint64_t>(c)]) * (1.0f / 65535.0f);
+            const float x01 =
+                static_cast<float>(codes[first + static_cast<uint64_t>(c)]) * (1.0f / 65535.0f);
             value[c] = decode ? linear_from_srgb(x01) : x01;
         } else {
             const auto* numbers = reinterpret_cast<const float*>(texels);
@@ -65,7 +66,8 @@ TP_HD Vec4 sample_image(const SceneView& scene, const ImageRecord& image, Vec2 u
     const int y1 = wrap_texel(static_cast<int>(fy) + 1, image.height, image.wrap);
     const Real wx = cx - fx, wy = cy - fy;
     const Vec4 top = lerp(load_texel(scene, image, x0, y0), load_texel(scene, image, x1, y0), wx);
-    const Vec4 bottom = lerp(load_texel(scene, image, x0, y1), load_texel(scene, image, x1, y1), wx);
+    const Vec4 bottom =
+        lerp(load_texel(scene, image, x0, y1), load_texel(scene, image, x1, y1), wx);
     return lerp(top, bottom, wy);
 }
 

@@ -9,8 +9,8 @@ namespace tp {
 /// Adds samples [first, last) of pixel (x, y) to `block`; returns how many were not finite. A lane
 /// that ends a path begins the next at once, so that on a GPU the lanes of a warp stay busy.
 template <uint32_t kFeatures>
-TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, int64_t first, int64_t last,
-                           BlockSum& block) {
+TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, int64_t first,
+                           int64_t last, BlockSum& block) {
     const uint32_t pixel = y * static_cast<uint32_t>(params.width) + x;
     uint32_t invalid = 0;
     int64_t sample = first;
@@ -20,7 +20,8 @@ TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, i
         const Hit hit = intersect<kFeatures>(params, path);
         ShadowQuery shadow;
         const bool goes_on = shade<kFeatures>(params, sampler, hit, path, shadow);
-        if constexpr ((kFeatures & kFeatureLights) != 0) connect_to_light<kFeatures>(params, shadow, path);
+        if constexpr ((kFeatures & kFeatureLights) != 0)
+            connect_to_light<kFeatures>(params, shadow, path);
         if (goes_on) continue;
 
         bool is_valid;

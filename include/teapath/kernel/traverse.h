@@ -40,7 +40,8 @@ TP_HD void clip_box(const Bounds& b, Vec3 origin, Vec3 inverse, Real& entry, Rea
 inline constexpr Real kSlabGrowth = 1 + 8 * kEpsilon;
 
 template <uint32_t kFeatures>
-TP_HD bool intersect_one(const SceneView& scene, uint32_t i, Vec3 origin, Vec3 direction, Hit& hit) {
+TP_HD bool intersect_one(const SceneView& scene, uint32_t i, Vec3 origin, Vec3 direction,
+                         Hit& hit) {
     const Hittable& h = scene.hittables[i];
     bool met;
     if constexpr ((kFeatures & kFeatureShapes) != 0)
@@ -54,7 +55,8 @@ TP_HD bool intersect_one(const SceneView& scene, uint32_t i, Vec3 origin, Vec3 d
 /// Visits what the ray may meet within hit.t, near boxes first, and keeps the nearest hit; with
 /// kAny it stops at the first. `ignored` is a hittable to pass over, kNoHit for none.
 template <uint32_t kFeatures, bool kAny>
-TP_HD bool traverse(const SceneView& scene, Vec3 origin, Vec3 direction, uint32_t ignored, Hit& hit) {
+TP_HD bool traverse(const SceneView& scene, Vec3 origin, Vec3 direction, uint32_t ignored,
+                    Hit& hit) {
     if (scene.nodes.empty() || ((kFeatures & kFeatureDebug) && scene.brute_force)) {
         for (uint32_t i = 0; i < scene.hittables.size; ++i) {
             if (i != ignored && intersect_one<kFeatures>(scene, i, origin, direction, hit) && kAny)
@@ -108,7 +110,8 @@ TP_HD Hit intersect_scene(const SceneView& scene, Vec3 origin, Vec3 direction, R
 
 /// True if anything but hittable `ignored` lies on the segment.
 template <uint32_t kFeatures>
-TP_HD bool is_blocked(const SceneView& scene, Vec3 origin, Vec3 direction, Real t_max, uint32_t ignored) {
+TP_HD bool is_blocked(const SceneView& scene, Vec3 origin, Vec3 direction, Real t_max,
+                      uint32_t ignored) {
     Hit hit;
     hit.t = t_max;
     return traverse<kFeatures, true>(scene, origin, direction, ignored, hit);

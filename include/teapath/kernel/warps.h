@@ -2,10 +2,10 @@
 // Directions are unit, around +z.
 #pragma once
 
-#include <cmath>
-
 #include <teapath/core/frame.h>
 #include <teapath/core/math.h>
+
+#include <cmath>
 
 namespace tp {
 
@@ -16,14 +16,18 @@ TP_HD Vec2 sample_uniform_disk(Vec2 u) {
     sincos_2pi(u.y, sine, cosine);
     return {r * cosine, r * sine};
 }
-TP_HD Real uniform_disk_pdf() { return kInvPi; }
+TP_HD Real uniform_disk_pdf() {
+    return kInvPi;
+}
 
 /// Density cos / pi over the hemisphere (Malley's method).
 TP_HD Vec3 sample_cosine_hemisphere(Vec2 u) {
     const Vec2 d = sample_uniform_disk(u);
     return {d.x, d.y, safe_sqrt(1 - u.x)};
 }
-TP_HD Real cosine_hemisphere_pdf(Real cosine) { return max(cosine, Real(0)) * kInvPi; }
+TP_HD Real cosine_hemisphere_pdf(Real cosine) {
+    return max(cosine, Real(0)) * kInvPi;
+}
 
 /// The direction with height z and azimuth 2 pi u.
 TP_HD Vec3 direction_at(Real z, Real u) {
@@ -33,11 +37,19 @@ TP_HD Vec3 direction_at(Real z, Real u) {
     return {r * cosine, r * sine, z};
 }
 
-TP_HD Vec3 sample_uniform_hemisphere(Vec2 u) { return direction_at(u.x, u.y); }
-TP_HD Real uniform_hemisphere_pdf() { return kInvPi / 2; }
+TP_HD Vec3 sample_uniform_hemisphere(Vec2 u) {
+    return direction_at(u.x, u.y);
+}
+TP_HD Real uniform_hemisphere_pdf() {
+    return kInvPi / 2;
+}
 
-TP_HD Vec3 sample_uniform_sphere(Vec2 u) { return direction_at(1 - 2 * u.x, u.y); }
-TP_HD Real uniform_sphere_pdf() { return kInvPi / 4; }
+TP_HD Vec3 sample_uniform_sphere(Vec2 u) {
+    return direction_at(1 - 2 * u.x, u.y);
+}
+TP_HD Real uniform_sphere_pdf() {
+    return kInvPi / 4;
+}
 
 /// Uniform over the solid angle of a cone around z; `cone` = 1 - cos of its half angle, which
 /// keeps its precision where the cone is tiny.
@@ -48,7 +60,9 @@ TP_HD Vec3 sample_uniform_cone(Vec2 u, Real cone) {
     sincos_2pi(u.y, sine, cosine);
     return {r * cosine, r * sine, 1 - depth};
 }
-TP_HD Real uniform_cone_pdf(Real cone) { return kInvPi / (2 * cone); }
+TP_HD Real uniform_cone_pdf(Real cone) {
+    return kInvPi / (2 * cone);
+}
 
 /// Uniform in the triangle u, v >= 0, u + v <= 1 (Heitz, "A Low-Distortion Map Between Triangle
 /// and Square", 2019). Density 2.
@@ -62,7 +76,9 @@ TP_HD Vec2 sample_uniform_triangle(Vec2 u) {
 }
 
 /// Uniform in the unit ball. Density 3 / (4 pi).
-TP_HD Vec3 sample_uniform_ball(Vec2 u, Real u3) { return sample_uniform_sphere(u) * std::cbrt(u3); }
+TP_HD Vec3 sample_uniform_ball(Vec2 u, Real u3) {
+    return sample_uniform_sphere(u) * std::cbrt(u3);
+}
 
 /// The unit direction of `axis` + `radius` * (a point uniform in the unit ball): how the book's
 /// fuzzy metal scatters.

@@ -2,15 +2,15 @@
 // flat arrays, no scenes and no window. The Session drives it from one thread.
 #pragma once
 
+#include <teapath/device/scene_arrays.h>
+#include <teapath/kernel/settings.h>
+#include <teapath/render/film_image.h>
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <teapath/device/scene_arrays.h>
-#include <teapath/kernel/settings.h>
-#include <teapath/render/film_image.h>
 
 namespace tp {
 

@@ -17,8 +17,8 @@ struct FilmImage {
     std::vector<float> alpha;           // share of samples whose camera ray hit something
     std::vector<float> albedo;          // RGB at the first hit, background's colour elsewhere
     std::vector<float> normal;          // XYZ, world space, towards the camera, at the first hit
-    std::vector<float> depth;           // distance along the view axis, mean over hits; 0 where none
-    std::vector<uint32_t> object_id;    // ObjectId::value at the pixel's centre; 0 = none
+    std::vector<float> depth;         // distance along the view axis, mean over hits; 0 where none
+    std::vector<uint32_t> object_id;  // ObjectId::value at the pixel's centre; 0 = none
     std::vector<uint32_t> material_id;  // MaterialId::value at the pixel's centre; 0 = none
 };
 

@@ -10,16 +10,16 @@
 //   | object: transform, shape, material   | hittables, tree, lights      | emptied |
 #pragma once
 
+#include <teapath/device/scene_arrays.h>
+#include <teapath/render/backend.h>
+#include <teapath/render/film_image.h>
+#include <teapath/scene/scene.h>
+
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <teapath/device/scene_arrays.h>
-#include <teapath/render/backend.h>
-#include <teapath/render/film_image.h>
-#include <teapath/scene/scene.h>
 
 namespace tp {
 

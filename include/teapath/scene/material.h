@@ -20,7 +20,7 @@ struct Material {
     double exterior_ior = 1;  // Dielectric: index before the normal
     FresnelRule fresnel = FresnelRule::Exact;
 
-    bool emits = false;                     // other kinds than DiffuseLight: emits beside scattering
+    bool emits = false;  // other kinds than DiffuseLight: emits beside scattering
     TexturedColor emission{{1, 1, 1}, {}};  // radiance per channel of what emits
     double strength = 1;                    // multiplies emission
     EmissionSide side = EmissionSide::Auto;

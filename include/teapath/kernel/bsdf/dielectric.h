@@ -29,7 +29,8 @@ TP_HD Real fresnel_schlick(Real cos_i, Real eta) {
 }
 
 /// Radiance is scaled by 1 / eta^2 on refraction, as basic radiance demands.
-TP_HD BsdfSample dielectric_sample(Vec3 tint, Real eta, FresnelRule rule, Vec3 normal, Vec3 wo, Real u) {
+TP_HD BsdfSample dielectric_sample(Vec3 tint, Real eta, FresnelRule rule, Vec3 normal, Vec3 wo,
+                                   Real u) {
     const Real cos_i = min(dot(normal, wo), Real(1));
     const Real reflectance =
         rule == FresnelRule::Schlick ? fresnel_schlick(cos_i, eta) : fresnel_dielectric(cos_i, eta);

@@ -11,7 +11,9 @@ TP_HD Vec3 lambertian_eval(Vec3 albedo, Vec3 normal, Vec3 wi) {
     return albedo * (max(dot(normal, wi), Real(0)) * kInvPi);
 }
 
-TP_HD Real lambertian_pdf(Vec3 normal, Vec3 wi) { return max(dot(normal, wi), Real(0)) * kInvPi; }
+TP_HD Real lambertian_pdf(Vec3 normal, Vec3 wi) {
+    return max(dot(normal, wi), Real(0)) * kInvPi;
+}
 
 TP_HD BsdfSample lambertian_sample(Vec3 albedo, Vec3 normal, Vec2 u) {
     const Vec3 local = sample_cosine_hemisphere(u);
@@ -20,7 +22,8 @@ TP_HD BsdfSample lambertian_sample(Vec3 albedo, Vec3 normal, Vec2 u) {
 
 /// The other rules that programs of the field scatter by, for comparison in the Book integrator:
 /// weight is the albedo whatever the density, as these programs have it.
-TP_HD BsdfSample lambertian_sample_by_rule(ScatterRule rule, Vec3 albedo, Vec3 normal, Vec2 u, Real u3) {
+TP_HD BsdfSample lambertian_sample_by_rule(ScatterRule rule, Vec3 albedo, Vec3 normal, Vec2 u,
+                                           Real u3) {
     if (rule == ScatterRule::Cosine) return lambertian_sample(albedo, normal, u);
     if (rule == ScatterRule::Hemisphere) {
         const Vec3 local = sample_uniform_hemisphere(u);

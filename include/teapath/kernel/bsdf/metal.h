@@ -8,7 +8,9 @@
 
 namespace tp {
 
-TP_HD Vec3 reflect(Vec3 wo, Vec3 normal) { return normal * (2 * dot(wo, normal)) - wo; }
+TP_HD Vec3 reflect(Vec3 wo, Vec3 normal) {
+    return normal * (2 * dot(wo, normal)) - wo;
+}
 
 TP_HD Real metal_pdf(Real fuzz, Vec3 normal, Vec3 wo, Vec3 wi) {
     return fuzz > 0 && dot(normal, wi) > 0 ? fuzz_lobe_pdf(reflect(wo, normal), fuzz, wi) : 0;

@@ -52,15 +52,20 @@ TP_HD SurfacePoint box_point(const Box& b, int axis, Vec3 local) {
     const Mat3 axes = world_from_object(b);
     const Vec3 p = b.center + axes * local;
     const Real side = local[axis] < 0 ? Real(-1) : Real(1);
-    const Vec3 row{b.object_from_world[0][axis], b.object_from_world[1][axis], b.object_from_world[2][axis]};
+    const Vec3 row{b.object_from_world[0][axis], b.object_from_world[1][axis],
+                   b.object_from_world[2][axis]};
     // u runs to the right, v down, for someone who looks at the face with y up (top: z down).
     const Real across = axis == 0 ? -side * local.z : axis == 1 ? local.x : side * local.x;
     const Real down = axis == 1 ? side * local.z : -local.y;
-    return {p, normalize(row) * side, {(across + 1) / 2, (down + 1) / 2},
+    return {p,
+            normalize(row) * side,
+            {(across + 1) / 2, (down + 1) / 2},
             error_bound(2 * (max_component(abs(p)) + 3 * max_abs(axes)))};
 }
 
-TP_HD Vec2 texture_uv(const Box&, const SurfacePoint& point) { return point.uv; }
+TP_HD Vec2 texture_uv(const Box&, const SurfacePoint& point) {
+    return point.uv;
+}
 
 TP_HD SurfacePoint surface_at(const Box& b, Vec3 origin, Vec3 direction, const Hit& hit) {
     Vec3 local = b.object_from_world * (origin + direction * hit.t - b.center);
@@ -105,7 +110,8 @@ TP_HD ShapeSample sample_toward(const Box& b, Vec3 from, Vec2 u) {
     return sample_of_point(box_point(b, axis, local), from, 1 / total);
 }
 
-TP_HD Real pdf_toward(const Box& b, Vec3 from, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Box& b, Vec3 from, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     const Vec3 areas =
         visible_areas(face_areas(world_from_object(b)), b.object_from_world * (from - b.center));
     return solid_angle_pdf(1 / (areas.x + areas.y + areas.z), distance, direction, point.normal);

@@ -13,7 +13,9 @@ struct UnitBody {
 struct Ellipsoid : UnitBody {};
 
 /// The columns of the inverse of `m`: the body's half axes in world space.
-TP_HD Mat3 world_from_object(const UnitBody& body) { return glm::inverse(body.object_from_world); }
+TP_HD Mat3 world_from_object(const UnitBody& body) {
+    return glm::inverse(body.object_from_world);
+}
 
 TP_HD Real max_abs(const Mat3& m) {
     return max(max_component(abs(m[0])), max(max_component(abs(m[1])), max_component(abs(m[2]))));
@@ -59,7 +61,8 @@ TP_HD Vec2 texture_uv(const Ellipsoid& e, const SurfacePoint& point) {
 }
 
 TP_HD SurfacePoint surface_at(const Ellipsoid& e, Vec3 origin, Vec3 direction, const Hit& hit) {
-    return surface_point(e, normalize(e.object_from_world * (origin + direction * hit.t - e.center)));
+    return surface_point(e,
+                         normalize(e.object_from_world * (origin + direction * hit.t - e.center)));
 }
 
 /// How solid angle grows from object to world directions around the world direction `d`: the pdf
@@ -83,7 +86,8 @@ TP_HD ShapeSample sample_toward(const Ellipsoid& e, Vec3 from, Vec2 u) {
     return sample;
 }
 
-TP_HD Real pdf_toward(const Ellipsoid& e, Vec3 from, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Ellipsoid& e, Vec3 from, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     const Vec3 local = e.object_from_world * direction;
     const Real stretch = length(local);
     SurfacePoint local_point;

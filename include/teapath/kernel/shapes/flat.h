@@ -18,9 +18,15 @@ struct Rectangle : Flat {};  // 0 <= u, v <= 1
 struct Disk : Flat {};       // u^2 + v^2 <= 1
 struct Triangle : Flat {};   // 0 <= u, v and u + v <= 1
 
-TP_HD bool is_inside(const Rectangle&, Real u, Real v) { return u >= 0 && u <= 1 && v >= 0 && v <= 1; }
-TP_HD bool is_inside(const Disk&, Real u, Real v) { return u * u + v * v <= 1; }
-TP_HD bool is_inside(const Triangle&, Real u, Real v) { return u >= 0 && v >= 0 && u + v <= 1; }
+TP_HD bool is_inside(const Rectangle&, Real u, Real v) {
+    return u >= 0 && u <= 1 && v >= 0 && v <= 1;
+}
+TP_HD bool is_inside(const Disk&, Real u, Real v) {
+    return u * u + v * v <= 1;
+}
+TP_HD bool is_inside(const Triangle&, Real u, Real v) {
+    return u >= 0 && v >= 0 && u + v <= 1;
+}
 
 TP_HD Bounds bounds_of(const Rectangle& r) {
     const Bounds b = join(Bounds{r.corner, r.corner}, r.corner + r.edge_u);
@@ -36,9 +42,15 @@ TP_HD Bounds bounds_of(const Disk& d) {
     return {d.corner - extent, d.corner + extent};
 }
 
-TP_HD Real area_of(const Rectangle& r) { return length(cross(r.edge_u, r.edge_v)); }
-TP_HD Real area_of(const Triangle& t) { return length(cross(t.edge_u, t.edge_v)) / 2; }
-TP_HD Real area_of(const Disk& d) { return length(cross(d.edge_u, d.edge_v)) * kPi; }
+TP_HD Real area_of(const Rectangle& r) {
+    return length(cross(r.edge_u, r.edge_v));
+}
+TP_HD Real area_of(const Triangle& t) {
+    return length(cross(t.edge_u, t.edge_v)) / 2;
+}
+TP_HD Real area_of(const Disk& d) {
+    return length(cross(d.edge_u, d.edge_v)) * kPi;
+}
 
 /// Where a ray meets the plane, in its own coordinates: the equations of Moller and Trumbore,
 /// "Fast, Minimum Storage Ray/Triangle Intersection", 1997. A ray within the plane never hits.
@@ -72,11 +84,14 @@ TP_HD bool intersect(const Triangle& s, Vec3 o, Vec3 d, Real t_max, Hit& hit) {
 TP_HD SurfacePoint flat_point(const Flat& s, Real u, Real v) {
     const Vec3 along_u = s.edge_u * u, along_v = s.edge_v * v;
     const Vec3 p = s.corner + along_u + along_v;
-    const Real size = max_component(abs(s.corner)) + max_component(abs(s.edge_u)) + max_component(abs(s.edge_v));
+    const Real size =
+        max_component(abs(s.corner)) + max_component(abs(s.edge_u)) + max_component(abs(s.edge_v));
     return {p, normalize(cross(s.edge_u, s.edge_v)), {u, v}, error_bound(size)};
 }
 
-TP_HD Vec2 texture_uv(const Flat&, const SurfacePoint& point) { return point.uv; }
+TP_HD Vec2 texture_uv(const Flat&, const SurfacePoint& point) {
+    return point.uv;
+}
 
 /// A disk's u is the angle from edge_u, counter-clockwise, v the distance from the centre.
 TP_HD Vec2 texture_uv(const Disk&, const SurfacePoint& point) {
@@ -102,13 +117,16 @@ TP_HD ShapeSample sample_toward(const Triangle& s, Vec3 from, Vec2 u) {
     return sample_of_point(flat_point(s, p.x, p.y), from, 1 / area_of(s));
 }
 
-TP_HD Real pdf_toward(const Rectangle& s, Vec3, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Rectangle& s, Vec3, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     return solid_angle_pdf(1 / area_of(s), distance, direction, point.normal);
 }
-TP_HD Real pdf_toward(const Disk& s, Vec3, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Disk& s, Vec3, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     return solid_angle_pdf(1 / area_of(s), distance, direction, point.normal);
 }
-TP_HD Real pdf_toward(const Triangle& s, Vec3, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Triangle& s, Vec3, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     return solid_angle_pdf(1 / area_of(s), distance, direction, point.normal);
 }
 

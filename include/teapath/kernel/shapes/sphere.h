@@ -18,7 +18,9 @@ TP_HD Bounds bounds_of(const Sphere& s) {
     return {s.center - r, s.center + r};
 }
 
-TP_HD Real area_of(const Sphere& s) { return 4 * kPi * s.radius * s.radius; }
+TP_HD Real area_of(const Sphere& s) {
+    return 4 * kPi * s.radius * s.radius;
+}
 
 /// Distance to the nearest crossing beyond the origin, or a negative number. The discriminant is
 /// taken from the part of the offset across the ray (Hearn and Baker; Haines et al., "Precision
@@ -45,7 +47,8 @@ TP_HD bool intersect(const Sphere& s, Vec3 origin, Vec3 direction, Real t_max, H
 
 /// Longitude and colatitude of a unit vector: u eastwards, 0 to 1; v from the north pole down.
 TP_HD Vec2 sphere_uv(Vec3 n) {
-    return {(std::atan2(-n.z, n.x) + kPi) * (kInvPi / 2), std::acos(clamp(n.y, Real(-1), Real(1))) * kInvPi};
+    return {(std::atan2(-n.z, n.x) + kPi) * (kInvPi / 2),
+            std::acos(clamp(n.y, Real(-1), Real(1))) * kInvPi};
 }
 
 TP_HD Vec2 texture_uv(const Sphere& s, const SurfacePoint& point) {
@@ -77,7 +80,8 @@ TP_HD ShapeSample sample_toward(const Sphere& s, Vec3 from, Vec2 u) {
     const Real cone = sphere_cone(s, d2);
     const Frame frame = frame_around(normalize(to_center));
     const Vec3 direction = frame.to_world(sample_uniform_cone(u, cone));
-    // The near crossing; at the rim rounding may miss the sphere, then the point of tangency serves.
+    // The near crossing; at the rim rounding may miss the sphere, then the point of tangency
+    // serves.
     const Real along = dot(to_center, direction);
     const Vec3 across = to_center - direction * along;
     const Real distance = along - safe_sqrt(s.radius * s.radius - dot(across, across));
@@ -86,7 +90,8 @@ TP_HD ShapeSample sample_toward(const Sphere& s, Vec3 from, Vec2 u) {
 }
 
 /// pdf over solid angle of sample_toward giving the direction that met the sphere at `hit`.
-TP_HD Real pdf_toward(const Sphere& s, Vec3 from, Vec3 direction, const SurfacePoint& point, Real distance) {
+TP_HD Real pdf_toward(const Sphere& s, Vec3 from, Vec3 direction, const SurfacePoint& point,
+                      Real distance) {
     const Real d2 = length_squared(s.center - from);
     if (d2 <= s.radius * s.radius * (1 + 16 * kEpsilon))
         return solid_angle_pdf(1 / area_of(s), distance, direction, point.normal);

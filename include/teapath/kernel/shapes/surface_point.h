@@ -8,9 +8,9 @@ namespace tp {
 
 /// The nearest meeting of a ray with a hittable so far.
 struct Hit {
-    Real t = kInfinity;          // distance along the unit direction
-    Real u = 0, v = 0;           // coordinates inside a flat shape; else unused
-    uint32_t index = 0xffffffff; // of the hittable; kNoHit = none
+    Real t = kInfinity;           // distance along the unit direction
+    Real u = 0, v = 0;            // coordinates inside a flat shape; else unused
+    uint32_t index = 0xffffffff;  // of the hittable; kNoHit = none
 };
 inline constexpr uint32_t kNoHit = 0xffffffff;
 
@@ -31,7 +31,9 @@ struct ShapeSample {
 };
 
 /// Bound of the rounding error of sums of numbers of this size.
-TP_HD Real error_bound(Real magnitude) { return 8 * kEpsilon * magnitude; }
+TP_HD Real error_bound(Real magnitude) {
+    return 8 * kEpsilon * magnitude;
+}
 
 /// pdf over solid angle of a point sampled with `area_pdf` over area, at `distance` in unit
 /// `direction` on a surface with unit `normal`; 0 edge-on.
@@ -46,7 +48,8 @@ TP_HD ShapeSample sample_of_point(const SurfacePoint& point, Vec3 from, Real are
     const Real distance = length(offset);
     if (!(distance > 0)) return {};
     const Vec3 direction = offset / distance;
-    return {point, direction, distance, solid_angle_pdf(area_pdf, distance, direction, point.normal)};
+    return {point, direction, distance,
+            solid_angle_pdf(area_pdf, distance, direction, point.normal)};
 }
 
 }  // namespace tp

@@ -8,9 +8,6 @@ find_package(spdlog REQUIRED)
 find_package(nlohmann_json 3.10 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenEXR CONFIG REQUIRED)
-foreach(target Threads::Threads glm::glm fmt::fmt spdlog::spdlog nlohmann_json::nlohmann_json CLI11::CLI11 OpenEXR::OpenEXR)
-    set_target_properties(${target} PROPERTIES IMPORTED_GLOBAL TRUE)
-endforeach()
 
 # stb: headers only, each implementation compiled once, in io.
 find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)
@@ -19,5 +16,4 @@ target_include_directories(teapath_stb SYSTEM INTERFACE ${STB_INCLUDE_DIR})
 
 if(TEAPATH_TESTS)
     find_package(doctest REQUIRED)
-    set_target_properties(doctest::doctest PROPERTIES IMPORTED_GLOBAL TRUE)
 endif()

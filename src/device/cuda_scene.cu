@@ -1,0 +1,87 @@
+#include <teapath/core/color.h>
+#include <teapath/device/cuda_scene.cuh>
+
+#include <array>
+
+namespace tp {
+namespace {
+
+constexpr size_t kAlignment = 256;
+
+// An array of the host, and which part of the scene it belongs to.
+struct Source {
+    const void* data;
+    size_t bytes;
+    SceneParts parts;
+};
+
+template <class T>
+Source source_of(const std::vector<T>& v, SceneParts parts) {
+    return {v.data(), v.size() * sizeof(T), parts};
+}
+
+std::array<float, 256> make_srgb_table() {
+    std::array<float, 256> table;
+    for (size_t i = 0; i < table.size(); ++i)
+        table[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
+    return table;
+}
+
+template <class T>
+Span<const T> span_at(const std::byte* memory, size_t offset, const std::vector<T>& v) {
+    return {reinterpret_cast<const T*>(memory + offset), static_cast<uint32_t>(v.size())};
+}
+
+}  // namespace
+
+void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream) {
+    // Materials also renumber the lights, which hittables name.
+    static const std::array<float, 256> srgb_table = make_srgb_table();
+    const SceneParts either = SceneParts::Geometry | SceneParts::Materials;
+    const std::array<Source, 8> sources = {
+        source_of(arrays.hittables, either),
+        source_of(arrays.nodes, SceneParts::Geometry),
+        source_of(arrays.lights, either),
+        source_of(arrays.materials, SceneParts::Materials),
+        source_of(arrays.material_ids, SceneParts::Materials),
+        source_of(arrays.textures, SceneParts::Materials),
+        source_of(arrays.texels, SceneParts::Materials),
+        Source{srgb_table.data(), sizeof srgb_table, SceneParts::None}};
+
+    // Where each array goes; the allocation is made anew where the sizes have changed.
+    std::array<size_t, 8> offsets{};
+    std::vector<size_t> layout;
+    size_t total = 0;
+    for (size_t i = 0; i < sources.size(); ++i) {
+        offsets[i] = total;
+        layout.push_back(sources[i].bytes);
+        total += (sources[i].bytes + kAlignment - 1) / kAlignment * kAlignment;
+    }
+    const bool is_new = layout != layout_;
+    if (is_new) {
+        layout_.clear();
+        memory_.resize(total);
+    }
+    for (size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i].bytes == 0 || !(is_new || has(parts, sources[i].parts))) continue;
+        check(cudaMemcpyAsync(memory_.data() + offsets[i], sources[i].data, sources[i].bytes,
+                              cudaMemcpyHostToDevice, stream.get()));
+    }
+    stream.wait();
+    layout_ = layout;
+
+    const std::byte* memory = memory_.data();
+    view_.hittables = span_at(memory, offsets[0], arrays.hittables);
+    view_.nodes = span_at(memory, offsets[1], arrays.nodes);
+    view_.lights = span_at(memory, offsets[2], arrays.lights);
+    view_.materials = span_at(memory, offsets[3], arrays.materials);
+    view_.material_ids = span_at(memory, offsets[4], arrays.material_ids);
+    view_.textures = span_at(memory, offsets[5], arrays.textures);
+    view_.texels = reinterpret_cast<const unsigned char*>(memory + offsets[6]);
+    view_.srgb_table = reinterpret_cast<const float*>(memory + offsets[7]);
+    view_.background = arrays.background;
+    view_.bounds = arrays.bounds;
+    view_.brute_force = arrays.brute_force;
+}
+
+}  // namespace tp
