@@ -1,0 +1,124 @@
+// White and grey furnaces: what goes in must come out, by closed forms.
+#include "support/scene_maker.h"
+
+#include <cmath>
+#include <initializer_list>
+
+using namespace tp;
+using namespace tp::test;
+
+namespace {
+
+// One sphere in a uniform environment of radiance 1, filling the middle of the picture.
+FilmImage furnace(const std::function<MaterialId(SceneMaker&)>& make_material, double radius = 1) {
+    SceneMaker maker;
+    maker.background(1);
+    maker.path().max_depth = 200;
+    maker.sphere({0, 0, 0}, radius, make_material(maker));
+    return render(maker.scene, 256);
+}
+
+// The walls of a closed sphere emit 1 and reflect `albedo`; the camera is inside.
+Scene closed_furnace(double albedo) {
+    SceneMaker maker;
+    Material m;
+    m.color.color = Double3(albedo);
+    m.emits = true;
+    m.emission.color = Double3(1);
+    m.side = EmissionSide::Both;
+    maker.sphere({0, 0, 0}, 10, maker.material(m));
+    maker.path().max_depth = 4096;
+    return maker.scene;
+}
+
+}  // namespace
+
+TEST_CASE("AC-F1: a lossless material in a white furnace is invisible") {
+    const auto check_white = [](const FilmImage& film) {
+        double low = 10, high = 0;
+        for (const float x : film.radiance) {
+            low = std::min(low, static_cast<double>(x));
+            high = std::max(high, static_cast<double>(x));
+        }
+        CHECK(low > 0.995);
+        CHECK(high < 1.005);
+    };
+    SUBCASE("Lambertian") {
+        check_white(furnace([](SceneMaker& m) { return m.lambertian(1); }));
+    }
+    SUBCASE("smooth metal") {
+        check_white(furnace([](SceneMaker& m) { return m.metal(1, 0); }));
+    }
+    SUBCASE("glass: each sample carries 1, or what roulette and depth leave of it") {
+        check_white(furnace([](SceneMaker& m) { return m.glass(1.5); }));
+    }
+    SUBCASE("hollow glass, negative radius") {
+        check_white(furnace([](SceneMaker& m) { return m.glass(1.5); }, -1));
+    }
+}
+
+TEST_CASE("AC-F1: fuzzy metal loses only what scatters below the surface") {
+    const FilmImage film = furnace([](SceneMaker& m) { return m.metal(1, 0.5); });
+    const double centre = red(film, 32, 24);
+    CHECK(centre > 0.999);  // head-on a ball of radius 0.5 stays above the surface
+    CHECK(mean(film) < 1);
+    for (const float x : film.radiance)
+        CHECK(x < 1.01f);
+}
+
+TEST_CASE("a grey Lambertian sphere in a white furnace shows its albedo") {
+    SceneMaker maker;
+    maker.background(1);
+    maker.sphere({0, 0, 0}, 1, maker.lambertian(0.5));
+    const FilmImage film = render(maker.scene, 64);
+    CHECK(red(film, 32, 24) == doctest::Approx(0.5).epsilon(1e-5));
+    CHECK(red(film, 0, 0) == doctest::Approx(1).epsilon(1e-6));
+}
+
+TEST_CASE("AC-F2: a closed grey furnace sums the geometric series, with roulette") {
+    for (const double albedo : {0.5, 0.8, 0.95}) {
+        CAPTURE(albedo);
+        CHECK(mean(render(closed_furnace(albedo), 64)) ==
+              doctest::Approx(1 / (1 - albedo)).epsilon(0.01));
+    }
+}
+
+TEST_CASE("AC-F2: cut after 12 segments the furnace holds 12 terms, light sampling or not") {
+    const double expected[] = {1.99951, 4.65640, 9.19280};
+    const double albedos[] = {0.5, 0.8, 0.95};
+    for (const bool light_sampling : {true, false}) {
+        for (int i = 0; i < 3; ++i) {
+            CAPTURE(albedos[i]);
+            CAPTURE(light_sampling);
+            Scene scene = closed_furnace(albedos[i]);
+            scene.render.path.max_depth = 12;
+            scene.render.path.roulette_depth = 0;
+            scene.render.path.light_sampling = light_sampling;
+            CHECK(mean(render(scene, 64)) == doctest::Approx(expected[i]).epsilon(0.005));
+        }
+    }
+}
+
+TEST_CASE("T26: the ledger of energy by bounce: bounce k brings albedo^k") {
+    double before = 0;
+    for (int depth = 1; depth <= 6; ++depth) {
+        Scene scene = closed_furnace(0.7);
+        scene.render.path.max_depth = depth;
+        scene.render.path.roulette_depth = 0;
+        const double total = mean(render(scene, 64));
+        CAPTURE(depth);
+        CHECK(total - before == doctest::Approx(std::pow(0.7, depth - 1)).epsilon(0.02));
+        before = total;
+    }
+}
+
+TEST_CASE("max_depth counts segments: 1 shows emission, 2 direct light") {
+    SceneMaker maker;
+    maker.camera().look_from = {0, 0, 5};
+    maker.sphere({0, 0, 0}, 1, maker.lambertian(0.8));
+    maker.sphere({0, 0, 50}, 10, maker.light(4));
+    maker.path().max_depth = 1;
+    CHECK(mean(render(maker.scene, 4)) == 0);
+    maker.path().max_depth = 2;
+    CHECK(red(render(maker.scene, 64), 32, 24) > 0);
+}
