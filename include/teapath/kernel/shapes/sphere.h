@@ -32,7 +32,7 @@ TP_HD Real sphere_distance(Vec3 center, Real radius, Vec3 origin, Vec3 direction
     const Vec3 across = to_center - direction * along;
     const Real discriminant = radius * radius - dot(across, across);
     const Real outside = dot(to_center, to_center) - radius * radius;
-    if (discriminant < 0 || (outside > 0 && along <= 0)) return -1;
+    if (!(discriminant > 0) || (outside > 0 && along <= 0)) return -1;
     const Real root = tp::sqrt(discriminant);
     if (outside > 0) return outside / (along + root);
     return along > 0 ? along + root : outside / (along - root);
