@@ -1,0 +1,65 @@
+// Shows a render's progress on stderr: a bar that is drawn again and again on a terminal, a line
+// now and then elsewhere.
+#pragma once
+
+#include "progress_line.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace tp {
+
+enum class ProgressStyle { Quiet, Lines, Bar };
+
+/// Bar on a terminal that can draw one, else lines.
+ProgressStyle progress_style_of_stderr();
+
+struct ProgressGoal {
+    int64_t samples = 0;  // per pixel; 0 = no limit
+    double seconds = 0;   // 0 = no limit
+    int64_t pixels = 0;
+};
+
+/// A bar is drawn by a thread of its own, so that it lives through long steps.
+class Progress {
+public:
+    /// `stopping` is asked, from any thread, whether the step under way is the last.
+    Progress(ProgressStyle style, const ProgressGoal& goal, std::function<bool()> stopping);
+    /// Takes the bar off the terminal.
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    /// That many samples per pixel are done.
+    void update(int64_t done);
+
+    /// Seconds since the start.
+    double seconds() const;
+
+private:
+    ProgressFacts facts() const;
+    void draw_until_stopped();
+    void draw_bar();
+    void print_line();
+
+    const ProgressStyle style_;
+    const ProgressGoal goal_;
+    const std::function<bool()> stopping_;
+    const std::chrono::steady_clock::time_point start_;
+
+    mutable std::mutex mutex_;  // guards what follows
+    std::condition_variable wake_;
+    bool ended_ = false;
+    int64_t done_ = 0;
+    double updated_seconds_ = 0;
+    double line_seconds_ = 0;  // of the last line printed
+    double line_share_ = 0;
+    RateMeter meter_;
+
+    std::thread drawer_;
+};
+
+}  // namespace tp

@@ -1,0 +1,40 @@
+// What `teapath render` was asked to do.
+#pragma once
+
+#include "arguments.h"
+
+#include <teapath/render/backend.h>
+#include <teapath/scene/scene.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+struct RenderOptions {
+    std::filesystem::path scene;
+    std::vector<std::filesystem::path> outputs;
+
+    // Instead of what the scene says
+    std::optional<int> samples;
+    std::optional<double> seconds;  // stop after; without `samples`, there is no other limit
+    std::optional<ImageSize> size;
+    std::optional<int> depth;
+    std::optional<uint64_t> seed;
+    std::optional<std::string> camera;
+    std::vector<std::string> settings;  // "path.to.setting=value"
+
+    BackendKind backend = BackendKind::Auto;
+    int device = 0;
+    int threads = 0;  // 0 = all cores
+    bool quiet = false;
+};
+
+/// The scene with the options' settings in place, checked. Throws Error(Usage) that names the
+/// option where one makes the scene impossible.
+Scene apply_options(const Scene& scene, const RenderOptions& options);
+
+}  // namespace tp
