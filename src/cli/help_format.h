@@ -10,7 +10,11 @@ namespace tp {
 class HelpFormat : public CLI::Formatter {
 public:
     /// `usage` is what follows the command's name, as in "SCENE -o FILE [OPTIONS]".
-    explicit HelpFormat(std::string usage) : usage_(std::move(usage)) { column_width(28); }
+    explicit HelpFormat(std::string usage) : usage_(std::move(usage)) {
+        column_width(28);
+        label("Subcommands", "Commands");
+        label("Positionals", "Arguments");
+    }
 
     std::string make_help(const CLI::App* app, std::string name,
                           CLI::AppFormatMode mode) const override;

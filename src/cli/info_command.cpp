@@ -207,7 +207,7 @@ Command add_info_command(CLI::App& program) {
     parser->add_option_function<std::string>(
         "SCENE", [words](const std::string& text) { words->scene = text; },
         "The scene, a JSON file");
-    parser->add_flag("--json", words->json, "As JSON, for programs");
+    parser->add_flag("--json", words->json, "As JSON, for programs")->disable_flag_override();
     return {parser, [words] {
                 print_result(words->json ? info_json(words->scene) : info_text(words->scene));
                 return 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 namespace tp {
@@ -56,10 +57,15 @@ void check_folder(const fs::path& file) {
     if (!fs::is_directory(status))
         throw_unwritable(file, fmt::format("{} is not a folder", folder.string()),
                          "name a file in a folder");
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
-        throw_unwritable(file,
-                         fmt::format("the folder {}: {}", folder.string(), std::strerror(errno)),
+    // Only making a file there shows that one can be made: the folder may be on a read-only disk,
+    // a remote one with rules of its own, or in /proc.
+    std::string probe = file.string() + ".XXXXXX";
+    const int made = mkstemp(probe.data());
+    if (made < 0)
+        throw_unwritable(file, std::strerror(errno),
                          "name a file in a folder that you may write to");
+    close(made);
+    unlink(probe.c_str());
 }
 
 // A new file, or a plain one that may be replaced.
@@ -80,7 +86,8 @@ void check_not_twice(const std::vector<fs::path>& files) {
     for (size_t i = 0; i < files.size(); ++i) {
         for (size_t j = 0; j < i; ++j) {
             std::error_code error;
-            const bool same = fs::weakly_canonical(files[i]) == fs::weakly_canonical(files[j]) ||
+            const bool same = fs::weakly_canonical(fs::absolute(files[i])) ==
+                                  fs::weakly_canonical(fs::absolute(files[j])) ||
                               fs::equivalent(files[i], files[j], error);
             if (same)
                 throw Error(ErrorKind::Usage, "the same file is named twice", files[i].string(),
@@ -97,8 +104,8 @@ void check_outputs(const std::vector<fs::path>& files) {
                     "add -o image.png, or several of them");
     for (const fs::path& file : files) {
         check_format(file);
-        check_folder(file);
         check_target(file);
+        check_folder(file);
     }
     check_not_twice(files);
 }

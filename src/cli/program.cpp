@@ -25,8 +25,9 @@ constexpr const char* kProgramFooter = R"(Examples:
   teapath info scenes/cornell_box.json
   teapath render --help
 
-Exit codes: 0 done, 2 wrong command line, 3 bad input, 4 device missing, lost or full,
-5 output cannot be written, 130 interrupted (what was there is saved), 1 a fault of the program.)";
+Exit codes: 0 done, 2 wrong command line, 3 bad input, 4 device missing, lost or
+full, 5 output cannot be written, 130 interrupted (what was there is saved),
+1 a fault of the program.)";
 
 std::vector<std::string> command_names(const CLI::App& program) {
     std::vector<std::string> names;
@@ -79,7 +80,13 @@ std::string did_you_mean(const std::string& wrong, const std::vector<std::string
 // An error of the parser itself, in our words.
 [[noreturn]] void throw_parse_error(const CLI::App& command, const CLI::ParseError& error) {
     const std::string name = command.get_parent() ? "teapath " + command.get_name() : "teapath";
-    throw Error(ErrorKind::Usage, error.what(), "", fmt::format("see {} --help", name));
+    const std::string help = fmt::format("see {} --help", name);
+    const std::string text = error.what();
+    // "--spp: 1 required TEXT missing"
+    const size_t colon = text.find(": ");
+    if (error.get_name() == "ArgumentMismatch" && colon != std::string::npos)
+        throw Error(ErrorKind::Usage, "its value is missing", text.substr(0, colon), help);
+    throw Error(ErrorKind::Usage, text, "", help);
 }
 
 const CLI::App& deepest_parsed(const CLI::App& program) {
@@ -94,7 +101,7 @@ int run_command_line(int argc, const char* const* argv) {
                      "teapath");
     program.formatter(std::make_shared<HelpFormat>("COMMAND [OPTIONS]"));
     program.set_help_flag("-h,--help", "Print this help");
-    program.set_version_flag("--version", version_line());
+    program.set_version_flag("--version", version_line(), "Print version and build");
     program.footer(kProgramFooter);
     program.allow_extras();
     program.require_subcommand(0, 1);

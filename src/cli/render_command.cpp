@@ -30,15 +30,16 @@ namespace tp {
 namespace {
 
 constexpr const char* kFooter =
-    R"(Formats, by extension: png, jpg, bmp, tga, ppm (p3.ppm: as text) show the picture
-after exposure and tone curve; hdr, pfm and exr hold linear radiance, exr also alpha,
-albedo, normal, depth, ids, standard error and samples as layers.
+    R"(Formats, by extension: png, jpg, bmp, tga and ppm (p3.ppm: as text) hold the
+picture after exposure and tone curve; hdr, pfm and exr hold linear radiance,
+exr also alpha, albedo, normal, depth, ids, standard error and samples as layers.
 
-Ctrl-C ends the render after the step under way and saves it; again: leaves at once.
+Ctrl-C ends the render after the step under way and saves what is there; a second
+one leaves at once.
 
 Examples:
   teapath render scenes/cornell_box.json -o box.png
-  teapath render scenes/cornell_box.json -o box.png -o box.exr --spp 256 --size 800x800
+  teapath render scenes/cornell_box.json -o box.png -o box.exr --size 800x800
   teapath render scenes/cornell_box.json -o box.jpg --time 60 --backend cuda
   teapath render scenes/cornell_box.json -o box.png --set display.exposure=1.5)";
 
@@ -83,7 +84,7 @@ void add_options(CLI::App& parser, Words& words) {
         "Where to render (auto: CUDA where it works)");
     add("--device", words.device, "N", "Number of the CUDA device; teapath info lists them");
     add("--threads", words.threads, "N", "Threads of the host backend, instead of one a core");
-    parser.add_flag("-q,--quiet", words.quiet, "Only warnings and errors");
+    parser.add_flag("-q,--quiet", words.quiet, "Only warnings and errors")->disable_flag_override();
 }
 
 RenderOptions parse_options(const Words& words) {
