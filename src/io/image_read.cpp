@@ -1,0 +1,80 @@
+#include "exr_file.h"
+#include "whole_file.h"
+
+#include <teapath/core/error.h>
+#include <teapath/io/image_file.h>
+
+#include <fmt/format.h>
+#include <stb/stb_image.h>
+
+#include <climits>
+#include <cstring>
+#include <exception>
+#include <memory>
+
+namespace tp {
+namespace {
+
+constexpr uintmax_t kMaxFileBytes = INT_MAX;
+constexpr int64_t kMaxPixels = int64_t{1} << 28;
+
+struct StbFree {
+    void operator()(void* pixels) const { stbi_image_free(pixels); }
+};
+
+// Pixels that stb decoded, in the bit depth of the file.
+Image read_stb(const std::string& bytes, const std::string& file) {
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 || height < 1)
+        throw Error(ErrorKind::Input, "this is not an image that can be read", file,
+                    "known: JPEG, PNG, TGA, BMP, PSD, GIF, HDR, PIC, PNM, EXR");
+    if (int64_t{width} * height > kMaxPixels)
+        throw Error(ErrorKind::Input,
+                    fmt::format("the image has {} x {} pixels, which is too many", width, height),
+                    file, "at most 268,435,456");
+
+    Image image;
+    std::unique_ptr<void, StbFree> pixels;
+    if (stbi_is_hdr_from_memory(data, size)) {
+        image.format = PixelFormat::F32;
+        pixels.reset(stbi_loadf_from_memory(data, size, &width, &height, &channels, 0));
+    } else if (stbi_is_16_bit_from_memory(data, size)) {
+        image.format = PixelFormat::U16;
+        pixels.reset(stbi_load_16_from_memory(data, size, &width, &height, &channels, 0));
+    } else {
+        image.format = PixelFormat::U8;
+        pixels.reset(stbi_load_from_memory(data, size, &width, &height, &channels, 0));
+    }
+    if (!pixels)
+        throw Error(ErrorKind::Input,
+                    fmt::format("the image is damaged ({})", stbi_failure_reason()), file,
+                    "export it again");
+    image.width = width;
+    image.height = height;
+    image.channels = channels;
+    const size_t depth = image.format == PixelFormat::U8    ? 1
+                         : image.format == PixelFormat::U16 ? 2
+                                                            : 4;
+    image.bytes.resize(static_cast<size_t>(width) * static_cast<size_t>(height) *
+                       static_cast<size_t>(channels) * depth);
+    std::memcpy(image.bytes.data(), pixels.get(), image.bytes.size());
+    return image;
+}
+
+}  // namespace
+
+Image read_image(const std::filesystem::path& file) {
+    const std::string bytes = read_whole_file(file, "an image", kMaxFileBytes);
+    if (!is_exr(bytes)) return read_stb(bytes, file.string());
+    try {
+        return read_exr(bytes);
+    } catch (const std::exception& error) {
+        throw Error(ErrorKind::Input,
+                    fmt::format("the OpenEXR file cannot be read: {}", error.what()), file.string(),
+                    "export it again");
+    }
+}
+
+}  // namespace tp

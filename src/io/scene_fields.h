@@ -1,0 +1,213 @@
+// Every key of a scene file, once: reader, writer, the list of keys and the tests all walk these
+// functions. A visitor `v` is called with the key and the field; v.kind reads or writes the key
+// that tells a union's member. A new setting is one line here and one in the schema.
+#pragma once
+
+#include <teapath/scene/enum_tables.h>
+#include <teapath/scene/scene.h>
+
+namespace tp {
+
+template <class V>
+void camera_fields(V& v, Camera& c) {
+    v("name", c.name);
+    v("look_from", c.look_from);
+    v("look_at", c.look_at);
+    v("up", c.up);
+    v("vertical_fov", c.vertical_fov);
+    v("aperture", c.aperture);
+    v("focus_distance", c.focus_distance);
+    v("near_clip", c.near_clip);
+    v("far_clip", c.far_clip);
+}
+
+template <class V>
+void texture_fields(V& v, Texture& t) {
+    v.kind("type", t.kind);
+    switch (t.kind) {
+        case TextureKind::Constant: v.color("color", t.color); break;
+        case TextureKind::Checker:
+            v("even", t.even);
+            v("odd", t.odd);
+            v("mode", t.mode);
+            v("cells", t.cells);
+            v("frequency", t.frequency);
+            break;
+        case TextureKind::Image:
+            v.required("file", t.file);
+            v("wrap", t.wrap);
+            v("filter", t.filter);
+            v("color_space", t.color_space);
+            v("repeat", t.repeat);
+            break;
+    }
+}
+
+/// What a material starts from before its fields are read: glass is clear, the rest mid-grey.
+inline Material default_material(MaterialKind kind) {
+    Material m;
+    m.kind = kind;
+    if (kind == MaterialKind::Dielectric) m.color.color = {1, 1, 1};
+    return m;
+}
+
+template <class V>
+void material_fields(V& v, Material& m) {
+    v.kind("type", m.kind);
+    v.start_from(m, default_material(m.kind));
+    if (m.kind != MaterialKind::DiffuseLight) v("color", m.color);
+    if (m.kind == MaterialKind::Metal) v("fuzz", m.fuzz);
+    if (m.kind == MaterialKind::Dielectric) {
+        v("ior", m.ior);
+        v("exterior_ior", m.exterior_ior);
+        v("fresnel", m.fresnel);
+    }
+    if (m.kind == MaterialKind::DiffuseLight)
+        v("emission", m.emission);
+    else
+        v.glow("emission", m.emits, m.emission);
+    v("strength", m.strength);
+    v("side", m.side);
+    v("opacity", m.opacity);
+    v.color("pass_through", m.pass_through);
+}
+
+template <class V>
+void shape_fields(V& v, SphereShape& s) {
+    v("center", s.center);
+    v("radius", s.radius);
+}
+template <class V, class Rect>
+void axis_rect_fields(V& v, Rect& r) {
+    v("low", r.low);
+    v("high", r.high);
+    v("k", r.k);
+}
+template <class V>
+void shape_fields(V& v, XyRectShape& r) {
+    axis_rect_fields(v, r);
+}
+template <class V>
+void shape_fields(V& v, XzRectShape& r) {
+    axis_rect_fields(v, r);
+}
+template <class V>
+void shape_fields(V& v, YzRectShape& r) {
+    axis_rect_fields(v, r);
+}
+template <class V>
+void shape_fields(V& v, RectangleShape& r) {
+    v("corner", r.corner);
+    v("edge_u", r.edge_u);
+    v("edge_v", r.edge_v);
+}
+template <class V>
+void shape_fields(V& v, BoxShape& b) {
+    v("low", b.low);
+    v("high", b.high);
+}
+template <class V>
+void shape_fields(V& v, DiskShape& d) {
+    v("center", d.center);
+    v("normal", d.normal);
+    v("radius", d.radius);
+}
+template <class V>
+void shape_fields(V& v, TriangleShape& t) {
+    v("a", t.a);
+    v("b", t.b);
+    v("c", t.c);
+}
+
+template <class V>
+void transform_fields(V& v, Transform& t) {
+    v("translate", t.translation);
+    v("rotate", t.rotation);
+    v("scale", t.scale);
+}
+
+template <class V>
+void object_fields(V& v, Object& o) {
+    v("name", o.name);
+    v.shape("shape", o.shape);
+    v.object("transform", o.transform, [](auto& w, Transform& t) { transform_fields(w, t); });
+    v("material", o.material);
+    v("inside_out", o.inside_out);
+    v("visible", o.visible);
+}
+
+template <class V>
+void generator_fields(V& v, Generator& g) {
+    v.constant("type", "sphere_grid");
+    v("name", g.name);
+    v("columns", g.grid.columns);
+    v("rows", g.grid.rows);
+    v("spacing", g.grid.spacing);
+    v("center", g.grid.center);
+    v("ground", g.grid.ground);
+    v("radius", g.grid.radius);
+    v("jitter", g.grid.jitter);
+    v("lambertian", g.grid.lambertian);
+    v("metal", g.grid.metal);
+    v("ior", g.grid.ior);
+    v("thesis_colors", g.grid.thesis_colors);
+    v("keep_clear", g.grid.keep_clear);
+    v("seed", g.grid.seed);
+}
+
+template <class V>
+void background_fields(V& v, Background& b) {
+    v.kind("type", b.kind);
+    switch (b.kind) {
+        case BackgroundKind::Gradient:
+            v.color("bottom", b.bottom);
+            v.color("top", b.top);
+            break;
+        case BackgroundKind::Constant: v.color("color", b.color); break;
+        case BackgroundKind::Image:
+            v.required("file", b.file);
+            v("color_space", b.color_space);
+            v("rotation", b.rotation);
+            break;
+    }
+    v("strength", b.strength);
+}
+
+template <class V>
+void render_fields(V& v, RenderSettings& r) {
+    v("width", r.width);
+    v("height", r.height);
+    v("samples", r.samples);
+    v("integrator", r.path.integrator);
+    v("max_depth", r.path.max_depth);
+    v("roulette_depth", r.path.roulette_depth);
+    v("light_sampling", r.path.light_sampling);
+    v("scatter", r.path.scatter);
+    v("sampler", r.path.sampler);
+    v("tea_rounds", r.path.tea_rounds);
+    v("key_rounds", r.path.key_rounds);
+    v("seed", r.path.seed);
+}
+
+template <class V>
+void display_fields(V& v, DisplaySettings& d) {
+    v("exposure", d.exposure);
+    v("tone_curve", d.curve);
+}
+
+template <class V>
+void scene_fields(V& v, Scene& s) {
+    v.constant("teapath", 1);
+    v("name", s.name);
+    v("description", s.description);
+    v.cameras(s);
+    v.object("render", s.render, [](auto& w, RenderSettings& r) { render_fields(w, r); });
+    v.object("display", s.display, [](auto& w, DisplaySettings& d) { display_fields(w, d); });
+    v.object("background", s.background, [](auto& w, Background& b) { background_fields(w, b); });
+    v.named("textures", s.textures);
+    v.named("materials", s.materials);
+    v.list("objects", s.objects, [](auto& w, Object& o) { object_fields(w, o); });
+    v.list("generate", s.generators, [](auto& w, Generator& g) { generator_fields(w, g); });
+}
+
+}  // namespace tp

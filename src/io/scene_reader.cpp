@@ -1,0 +1,381 @@
+#include "scene_reader.h"
+
+#include "scene_fields.h"
+#include "shape_types.h"
+
+#include <teapath/core/color.h>
+#include <teapath/core/error.h>
+#include <teapath/core/nearest_name.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tp {
+namespace {
+
+const char* type_name(const Json& json) {
+    switch (json.type()) {
+        case Json::value_t::null: return "null";
+        case Json::value_t::object: return "an object";
+        case Json::value_t::array: return "a list";
+        case Json::value_t::string: return "a string";
+        case Json::value_t::boolean: return "true or false";
+        default: return "a number";
+    }
+}
+
+// The linear colour of "#rgb" or "#rrggbb", or nothing.
+bool parse_hex(const std::string& text, Double3& color) {
+    if (text.size() != 4 && text.size() != 7) return false;
+    if (text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        return false;
+    for (int c = 0; c < 3; ++c) {
+        const auto index = static_cast<size_t>(c);
+        const std::string digits =
+            text.size() == 7 ? text.substr(1 + 2 * index, 2) : std::string(2, text[1 + index]);
+        color[c] = static_cast<double>(
+            linear_from_srgb(static_cast<float>(std::stoi(digits, nullptr, 16)) / 255.0f));
+    }
+    return true;
+}
+
+template <class Names>
+std::vector<std::string> keys_of(const Names& names) {
+    std::vector<std::string> keys;
+    for (const auto& [name, id] : names)
+        keys.push_back(name);
+    return keys;
+}
+
+}  // namespace
+
+SceneReader::SceneReader(ReadState& state, const Json& json, std::string path)
+    : state_(state), json_(json), path_(std::move(path)) {
+    if (!json.is_object())
+        fail(path_, fmt::format("expected an object, found {}", type_name(json)));
+}
+
+const Json* SceneReader::find(const char* key) {
+    known_.emplace_back(key);
+    const auto found = json_.find(key);
+    return found == json_.end() ? nullptr : &*found;
+}
+
+void SceneReader::fail(const std::string& path, const std::string& what,
+                       const std::string& remedy) const {
+    throw Error(ErrorKind::Input, what, path.empty() ? state_.file : state_.file + ": " + path,
+                remedy);
+}
+
+void SceneReader::finish() const {
+    for (const auto& [key, value] : json_.items()) {
+        if (std::find(known_.begin(), known_.end(), key) != known_.end() ||
+            (path_.empty() && key == "$schema"))
+            continue;
+        unknown_name(path_, "key", key, known_);
+    }
+}
+
+void SceneReader::unknown_name(const std::string& path, const char* what, const std::string& name,
+                               const std::vector<std::string>& names) const {
+    const std::string nearest = nearest_name(name, names);
+    std::string remedy;
+    if (!nearest.empty())
+        remedy = fmt::format("did you mean \"{}\"?", nearest);
+    else if (names.size() <= 24)
+        remedy = names.empty() ? fmt::format("there is none in this file")
+                               : fmt::format("known: {}", fmt::join(names, ", "));
+    fail(path, fmt::format("unknown {} \"{}\"", what, name), remedy);
+}
+
+void SceneReader::expect_array(const Json& json, const std::string& path) const {
+    if (!json.is_array()) fail(path, fmt::format("expected a list, found {}", type_name(json)));
+}
+
+double SceneReader::number_of(const Json& json, const std::string& path) const {
+    if (!json.is_number()) fail(path, fmt::format("expected a number, found {}", type_name(json)));
+    const double value = json.get<double>();
+    if (!std::isfinite(value)) fail(path, "the number is not finite", "numbers stay below 1e308");
+    return value;
+}
+
+std::string SceneReader::string_of(const Json& json, const std::string& path) const {
+    if (!json.is_string()) fail(path, fmt::format("expected a string, found {}", type_name(json)));
+    return json.get<std::string>();
+}
+
+template <class Vector>
+Vector SceneReader::vector_of(const Json& json, const std::string& path) const {
+    constexpr int kLength = Vector::length();
+    if (!json.is_array() || json.size() != static_cast<size_t>(kLength))
+        fail(path, fmt::format(
+                       "expected a list of {} numbers, found {}", kLength,
+                       json.is_array() ? fmt::format("one of {}", json.size()) : type_name(json)));
+    Vector v;
+    for (int i = 0; i < kLength; ++i)
+        v[i] = number_of(json[static_cast<size_t>(i)], fmt::format("{}[{}]", path, i));
+    return v;
+}
+
+Double3 SceneReader::color_of(const Json& json, const std::string& path) const {
+    if (json.is_number()) return Double3(number_of(json, path));
+    Double3 color;
+    if (json.is_string() && parse_hex(json.get<std::string>(), color)) return color;
+    if (!json.is_array())
+        fail(path, fmt::format("expected a colour, found {}", type_name(json)),
+             "three numbers, one number for grey, or \"#rrggbb\"");
+    return vector_of<Double3>(json, path);
+}
+
+void SceneReader::operator()(const char* key, bool& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (!json->is_boolean())
+        fail(path_of(key), fmt::format("expected true or false, found {}", type_name(*json)));
+    value = json->get<bool>();
+}
+
+void SceneReader::operator()(const char* key, int& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    const double number = number_of(*json, path_of(key));
+    if (number != std::floor(number) || std::abs(number) > 2147483647.0)
+        fail(path_of(key), fmt::format("expected a whole number, found {}", json->dump()),
+             "between -2147483647 and 2147483647");
+    value = static_cast<int>(number);
+}
+
+void SceneReader::operator()(const char* key, uint64_t& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    number_of(*json, path_of(key));
+    if (!json->is_number_unsigned())
+        fail(path_of(key),
+             fmt::format("expected a whole number from 0 to 2^64 - 1, found {}", json->dump()));
+    value = json->get<uint64_t>();
+}
+
+void SceneReader::operator()(const char* key, double& value) {
+    if (const Json* json = find(key)) value = number_of(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, float& value) {
+    double number = static_cast<double>(value);
+    (*this)(key, number);
+    value = static_cast<float>(number);
+    if (!std::isfinite(value)) fail(path_of(key), "the number is too large");
+}
+
+void SceneReader::operator()(const char* key, std::string& value) {
+    if (const Json* json = find(key)) value = string_of(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, Double2& value) {
+    if (const Json* json = find(key)) value = vector_of<Double2>(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, Double3& value) {
+    if (const Json* json = find(key)) value = vector_of<Double3>(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, std::vector<Double4>& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    expect_array(*json, path_of(key));
+    value.clear();
+    for (size_t i = 0; i < json->size(); ++i)
+        value.push_back(vector_of<Double4>((*json)[i], fmt::format("{}[{}]", path_of(key), i)));
+}
+
+void SceneReader::operator()(const char* key, TexturedColor& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    Double3 hex;
+    const bool is_texture =
+        json->is_object() || (json->is_string() && !parse_hex(json->get<std::string>(), hex));
+    if (is_texture)
+        value.texture = texture_of(*json, path_of(key));
+    else
+        value.color = color_of(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, MaterialId& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (json->is_string()) {
+        const auto found = state_.material_names.find(json->get<std::string>());
+        if (found == state_.material_names.end())
+            unknown_name(path_of(key), "material", json->get<std::string>(),
+                         keys_of(state_.material_names));
+        value = found->second;
+        return;
+    }
+    SceneReader inner(state_, *json, path_of(key));
+    Material material;
+    material_fields(inner, material);
+    inner.finish();
+    value = {static_cast<uint32_t>(state_.scene.materials.size()) + 1};
+    material.id = value;
+    state_.scene.materials.push_back(std::move(material));
+}
+
+void SceneReader::operator()(const char* key, ImageFile& value) {
+    (*this)(key, value.path);
+}
+
+void SceneReader::color(const char* key, Double3& value) {
+    if (const Json* json = find(key)) value = color_of(*json, path_of(key));
+}
+
+void SceneReader::required(const char* key, ImageFile& value) {
+    (*this)(key, value);
+    if (value.path.empty())
+        fail(path_, fmt::format("the key \"{}\" is missing", key),
+             "the path of an image, relative to the scene file");
+}
+
+void SceneReader::glow(const char* key, bool& emits, TexturedColor& value) {
+    emits = json_.contains(key);
+    (*this)(key, value);
+}
+
+void SceneReader::constant(const char* key, const char* value) {
+    const Json* json = find(key);
+    if (!json)
+        fail(path_, fmt::format("the key \"{}\" is missing", key),
+             fmt::format("it must be \"{}\"", value));
+    const std::string found = string_of(*json, path_of(key));
+    if (found != value) unknown_name(path_of(key), "value", found, {value});
+}
+
+void SceneReader::constant(const char* key, int value) {
+    const Json* json = find(key);
+    if (!json)
+        fail(path_,
+             fmt::format("the key \"{}\" is missing, so this is not a scene of Teapath", key),
+             fmt::format("add \"{}\": {}", key, value));
+    if (number_of(*json, path_of(key)) != value)
+        fail(path_of(key), fmt::format("version {} of the format is unknown", json->dump()),
+             fmt::format("this program reads version {}", value));
+}
+
+void SceneReader::shape(const char* key, Shape& value) {
+    const Json* json = find(key);
+    if (!json)
+        fail(path_, "the key \"shape\" is missing",
+             R"(for example "shape": {"type": "sphere", "center": [0, 1, 0], "radius": 1})");
+    SceneReader inner(state_, *json, path_of(key));
+    const Json* type = inner.find("type");
+    if (!type) fail(path_of(key), "the key \"type\" is missing", "one of: " + shape_type_names());
+    const std::string name = string_of(*type, inner.path_of("type"));
+    if (!make_shape(name, value)) {
+        std::vector<std::string> names(kShapeTypes.begin(), kShapeTypes.end());
+        unknown_name(inner.path_of("type"), "shape", name, names);
+    }
+    std::visit([&](auto& s) { shape_fields(inner, s); }, value);
+    inner.finish();
+}
+
+void SceneReader::read_camera(const Json& json, const std::string& path, Scene& scene) {
+    SceneReader inner(state_, json, path);
+    Camera camera;
+    camera.id = {static_cast<uint32_t>(scene.cameras.size()) + 1};
+    camera_fields(inner, camera);
+    inner.finish();
+    scene.cameras.push_back(std::move(camera));
+}
+
+void SceneReader::cameras(Scene& scene) {
+    const Json* one = find("camera");
+    const Json* many = find("cameras");
+    if (one && many)
+        fail(path_, "both \"camera\" and \"cameras\" are given", "move the camera into the list");
+    if (one) read_camera(*one, "camera", scene);
+    if (many) {
+        expect_array(*many, "cameras");
+        for (size_t i = 0; i < many->size(); ++i)
+            read_camera((*many)[i], fmt::format("cameras[{}]", i), scene);
+    }
+    if (scene.cameras.empty()) {
+        Camera camera;
+        camera.id = {1};
+        scene.cameras.push_back(camera);
+    }
+    std::string active;
+    (*this)("active_camera", active);
+    if (active.empty()) return;
+    std::vector<std::string> names;
+    for (const Camera& camera : scene.cameras) {
+        if (camera.name == active) scene.active_camera = camera.id;
+        names.push_back(camera.name);
+    }
+    if (!scene.active_camera) unknown_name("active_camera", "camera", active, names);
+}
+
+TextureId SceneReader::texture_of(const Json& json, const std::string& path) {
+    if (json.is_object()) return inline_texture(json, path);
+    const auto found = state_.texture_names.find(json.get<std::string>());
+    if (found == state_.texture_names.end())
+        unknown_name(path, "texture", json.get<std::string>(), keys_of(state_.texture_names));
+    return found->second;
+}
+
+TextureId SceneReader::inline_texture(const Json& json, const std::string& path) {
+    // The place is taken before the fields are read, which may bring textures of their own.
+    const size_t index = state_.scene.textures.size();
+    const TextureId id{static_cast<uint32_t>(index) + 1};
+    state_.scene.textures.emplace_back();
+    SceneReader inner(state_, json, path);
+    Texture texture;
+    texture_fields(inner, texture);
+    inner.finish();
+    texture.id = id;
+    state_.scene.textures[index] = std::move(texture);
+    return id;
+}
+
+void SceneReader::named(const char* key, std::vector<Texture>&) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (!json->is_object())
+        fail(key,
+             fmt::format("expected an object of textures by name, found {}", type_name(*json)));
+    // Names first, so that a texture may use one that stands below it.
+    for (const auto& [name, value] : json->items()) {
+        const TextureId id{static_cast<uint32_t>(state_.scene.textures.size()) + 1};
+        state_.texture_names[name] = id;
+        state_.scene.textures.emplace_back();
+    }
+    for (const auto& [name, value] : json->items()) {
+        SceneReader inner(state_, value, fmt::format("{}.{}", key, name));
+        Texture texture;
+        texture.id = state_.texture_names[name];
+        texture.name = name;
+        texture_fields(inner, texture);
+        inner.finish();
+        state_.scene.textures[texture.id.value - 1] = std::move(texture);
+    }
+}
+
+void SceneReader::named(const char* key, std::vector<Material>&) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (!json->is_object())
+        fail(key,
+             fmt::format("expected an object of materials by name, found {}", type_name(*json)));
+    for (const auto& [name, value] : json->items()) {
+        SceneReader inner(state_, value, fmt::format("{}.{}", key, name));
+        Material material;
+        material_fields(inner, material);
+        inner.finish();
+        material.id = {static_cast<uint32_t>(state_.scene.materials.size()) + 1};
+        material.name = name;
+        state_.material_names[name] = material.id;
+        state_.scene.materials.push_back(std::move(material));
+    }
+}
+
+}  // namespace tp

@@ -1,0 +1,132 @@
+// The visitor of scene_fields.h that reads a JSON object into a struct, and knows where it stands.
+#pragma once
+
+#include "json_text.h"
+
+#include <teapath/core/enum_table.h>
+#include <teapath/scene/scene.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace tp {
+
+/// What one read shares: the scene that grows, names already given an id, the file's name.
+struct ReadState {
+    std::string file;
+    Scene scene;
+    std::map<std::string, TextureId> texture_names;
+    std::map<std::string, MaterialId> material_names;
+};
+
+/// Reads the fields of one JSON object; `finish` refuses keys that nobody asked for.
+class SceneReader {
+public:
+    SceneReader(ReadState& state, const Json& json, std::string path);
+
+    void operator()(const char* key, bool& value);
+    void operator()(const char* key, int& value);
+    void operator()(const char* key, uint64_t& value);
+    void operator()(const char* key, double& value);
+    void operator()(const char* key, float& value);
+    void operator()(const char* key, std::string& value);
+    void operator()(const char* key, Double2& value);
+    void operator()(const char* key, Double3& value);
+    void operator()(const char* key, std::vector<Double4>& value);
+    void operator()(const char* key, TexturedColor& value);
+    void operator()(const char* key, MaterialId& value);
+    void operator()(const char* key, ImageFile& value);
+
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void operator()(const char* key, Enum& value) {
+        if (const Json* json = find(key)) value = enum_of<Enum>(*json, path_of(key));
+    }
+
+    void color(const char* key, Double3& value);
+    void required(const char* key, ImageFile& value);
+    void kind(const char* key, TextureKind& value) { required_kind(key, value); }
+    void kind(const char* key, MaterialKind& value) { required_kind(key, value); }
+    void start_from(Material& value, const Material& standard) { value = standard; }
+    /// A key whose presence switches emission on.
+    void glow(const char* key, bool& emits, TexturedColor& value);
+    void kind(const char* key, BackgroundKind& value) { required_kind(key, value); }
+    void constant(const char* key, const char* value);
+    void constant(const char* key, int value);
+    void shape(const char* key, Shape& value);
+    void cameras(Scene& scene);
+    void named(const char* key, std::vector<Texture>& textures);
+    void named(const char* key, std::vector<Material>& materials);
+
+    template <class T, class Fields>
+    void object(const char* key, T& value, Fields&& fields) {
+        const Json* json = find(key);
+        if (!json) return;
+        SceneReader inner(state_, *json, path_of(key));
+        fields(inner, value);
+        inner.finish();
+    }
+
+    template <class T, class Fields>
+    void list(const char* key, std::vector<T>& values, Fields&& fields) {
+        const Json* json = find(key);
+        if (!json) return;
+        expect_array(*json, path_of(key));
+        for (size_t i = 0; i < json->size(); ++i) {
+            SceneReader inner(state_, (*json)[i], path_of(key) + "[" + std::to_string(i) + "]");
+            T value;
+            value.id = {static_cast<uint32_t>(i) + 1};
+            fields(inner, value);
+            inner.finish();
+            values.push_back(std::move(value));
+        }
+    }
+
+    /// Throws for the first key that was not read, with the nearest known one.
+    void finish() const;
+
+private:
+    const Json* find(const char* key);
+    std::string path_of(const char* key) const { return path_.empty() ? key : path_ + "." + key; }
+    [[noreturn]] void fail(const std::string& path, const std::string& what,
+                           const std::string& remedy = {}) const;
+    void expect_array(const Json& json, const std::string& path) const;
+    double number_of(const Json& json, const std::string& path) const;
+    Double3 color_of(const Json& json, const std::string& path) const;
+    std::string string_of(const Json& json, const std::string& path) const;
+    template <class Vector>
+    Vector vector_of(const Json& json, const std::string& path) const;
+    TextureId texture_of(const Json& json, const std::string& path);
+    TextureId inline_texture(const Json& json, const std::string& path);
+    void read_camera(const Json& json, const std::string& path, Scene& scene);
+    [[noreturn]] void unknown_name(const std::string& path, const char* what,
+                                   const std::string& name,
+                                   const std::vector<std::string>& names) const;
+
+    template <class Enum>
+    Enum enum_of(const Json& json, const std::string& path) const {
+        const std::string name = string_of(json, path);
+        if (const auto value = enum_value<Enum>(name)) return *value;
+        std::vector<std::string> names;
+        for (const auto& row : EnumTable<Enum>::rows)
+            names.emplace_back(row.name);
+        unknown_name(path, "value", name, names);
+    }
+
+    template <class Enum>
+    void required_kind(const char* key, Enum& value) {
+        const Json* json = find(key);
+        if (!json)
+            fail(path_, std::string("the key \"") + key + "\" is missing",
+                 "one of: " + enum_names<Enum>());
+        value = enum_of<Enum>(*json, path_of(key));
+    }
+
+    ReadState& state_;
+    const Json& json_;
+    std::string path_;
+    std::vector<std::string> known_;  // keys asked for so far
+};
+
+}  // namespace tp

@@ -1,0 +1,168 @@
+#include "scene_writer.h"
+
+#include "scene_fields.h"
+#include "shape_types.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace tp {
+namespace {
+
+// Counts how often each anonymous thing is used; what is used twice needs a name.
+template <class Id>
+void give_names(std::map<Id, std::string>& names, const std::map<Id, int>& uses, const char* word) {
+    std::set<std::string> taken;
+    for (const auto& [id, name] : names)
+        taken.insert(name);
+    int number = 0;
+    for (const auto& [id, count] : uses) {
+        if (count < 2 || names.count(id)) continue;
+        std::string name;
+        do
+            name = fmt::format("{} {}", word, ++number);
+        while (taken.count(name));
+        names[id] = name;
+    }
+}
+
+}  // namespace
+
+WriteState::WriteState(const Scene& s) : scene(s) {
+    std::map<TextureId, int> texture_uses;
+    std::map<MaterialId, int> material_uses;
+    const auto use = [&](const TexturedColor& c) {
+        if (c.texture) ++texture_uses[c.texture];
+    };
+    for (const Texture& t : s.textures) {
+        textures[t.id] = &t;
+        if (!t.name.empty()) texture_names[t.id] = t.name;
+        use(t.even);
+        use(t.odd);
+    }
+    for (const Material& m : s.materials) {
+        materials[m.id] = &m;
+        if (!m.name.empty()) material_names[m.id] = m.name;
+        use(m.color);
+        use(m.emission);
+    }
+    for (const Object& o : s.objects)
+        if (o.material) ++material_uses[o.material];
+    give_names(texture_names, texture_uses, "texture");
+    give_names(material_names, material_uses, "material");
+}
+
+Json SceneWriter::number(double value) {
+    if (value == std::floor(value) && std::abs(value) < 1e15 &&
+        !(value == 0 && std::signbit(value)))
+        return static_cast<int64_t>(value);
+    return value;
+}
+
+// The shortest decimal that gives the float back.
+void SceneWriter::operator()(const char* key, float value) {
+    json_[key] = number(std::strtod(fmt::format("{}", value).c_str(), nullptr));
+}
+
+void SceneWriter::operator()(const char* key, const std::vector<Double4>& value) {
+    Json items = Json::array();
+    for (const Double4& v : value)
+        items.push_back({number(v.x), number(v.y), number(v.z), number(v.w)});
+    json_[key] = std::move(items);
+}
+
+void SceneWriter::operator()(const char* key, const TexturedColor& value) {
+    if (!value.texture) {
+        json_[key] = vector(value.color);
+        return;
+    }
+    if (const auto name = state_.texture_names.find(value.texture);
+        name != state_.texture_names.end()) {
+        json_[key] = name->second;
+        return;
+    }
+    const auto found = state_.textures.find(value.texture);
+    if (found == state_.textures.end()) return;
+    Texture texture = *found->second;
+    json_[key] = difference(texture, [](auto& v, Texture& t) { texture_fields(v, t); });
+}
+
+void SceneWriter::operator()(const char* key, MaterialId value) {
+    if (const auto name = state_.material_names.find(value); name != state_.material_names.end()) {
+        json_[key] = name->second;
+        return;
+    }
+    const auto found = state_.materials.find(value);
+    if (found == state_.materials.end()) return;
+    Material material = *found->second;
+    json_[key] = difference(material, [](auto& v, Material& m) { material_fields(v, m); });
+}
+
+void SceneWriter::shape(const char* key, Shape& value) {
+    SceneWriter inner(state_);
+    inner.constant("type", kShapeTypes[value.index()]);
+    std::visit([&](auto& s) { shape_fields(inner, s); }, value);
+    json_[key] = inner.take();
+}
+
+void SceneWriter::cameras(Scene& scene) {
+    if (scene.cameras.size() == 1)
+        object("camera", scene.cameras.front(), [](auto& v, Camera& c) { camera_fields(v, c); });
+    else
+        list("cameras", scene.cameras, [](auto& v, Camera& c) { camera_fields(v, c); });
+    for (const Camera& c : scene.cameras)
+        if (c.id == scene.active_camera && !c.name.empty()) json_["active_camera"] = c.name;
+}
+
+void SceneWriter::named(const char* key, std::vector<Texture>& textures) {
+    Json items = Json::object();
+    for (Texture& texture : textures) {
+        const auto name = state_.texture_names.find(texture.id);
+        if (name != state_.texture_names.end())
+            items[name->second] =
+                difference(texture, [](auto& v, Texture& t) { texture_fields(v, t); });
+    }
+    if (!items.empty()) json_[key] = std::move(items);
+}
+
+void SceneWriter::named(const char* key, std::vector<Material>& materials) {
+    Json items = Json::object();
+    for (Material& material : materials) {
+        const auto name = state_.material_names.find(material.id);
+        if (name != state_.material_names.end())
+            items[name->second] =
+                difference(material, [](auto& v, Material& m) { material_fields(v, m); });
+    }
+    if (!items.empty()) json_[key] = std::move(items);
+}
+
+Background SceneWriter::default_like(const Background& b) {
+    Background standard;
+    standard.kind = b.kind;
+    return standard;
+}
+
+Texture SceneWriter::default_like(const Texture& t) {
+    Texture standard;
+    standard.kind = t.kind;
+    return standard;
+}
+
+Material SceneWriter::default_like(const Material& m) {
+    return default_material(m.kind);
+}
+
+Json SceneWriter::without_defaults(Json json, const Json& standard) {
+    Json kept = Json::object();
+    for (auto& [key, value] : json.items()) {
+        const auto same = standard.find(key);
+        // What tells one kind of thing from another stays, and so does every shape.
+        const bool always = key == "type" || key == "shape" || key == "file";
+        if (always || same == standard.end() || *same != value) kept[key] = std::move(value);
+    }
+    return kept;
+}
+
+}  // namespace tp

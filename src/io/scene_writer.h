@@ -1,0 +1,111 @@
+// The visitor of scene_fields.h that writes a struct into a JSON object.
+#pragma once
+
+#include "json_text.h"
+
+#include <teapath/scene/enum_tables.h>
+#include <teapath/scene/scene.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace tp {
+
+/// Names that things are written by: their own, or one made up for what is used twice without one.
+struct WriteState {
+    const Scene& scene;
+    std::map<TextureId, std::string> texture_names;
+    std::map<MaterialId, std::string> material_names;
+    std::map<TextureId, const Texture*> textures;
+    std::map<MaterialId, const Material*> materials;
+
+    explicit WriteState(const Scene& scene);
+};
+
+class SceneWriter {
+public:
+    explicit SceneWriter(const WriteState& state) : state_(state) {}
+
+    Json take() { return std::move(json_); }
+
+    void operator()(const char* key, bool value) { json_[key] = value; }
+    void operator()(const char* key, int value) { json_[key] = value; }
+    void operator()(const char* key, uint64_t value) { json_[key] = value; }
+    void operator()(const char* key, double value) { json_[key] = number(value); }
+    void operator()(const char* key, float value);
+    void operator()(const char* key, const std::string& value) { json_[key] = value; }
+    void operator()(const char* key, const Double2& value) {
+        json_[key] = Json{number(value.x), number(value.y)};
+    }
+    void operator()(const char* key, const Double3& value) { json_[key] = vector(value); }
+    void operator()(const char* key, const std::vector<Double4>& value);
+    void operator()(const char* key, const TexturedColor& value);
+    void operator()(const char* key, MaterialId value);
+    void operator()(const char* key, const ImageFile& value) { json_[key] = value.path; }
+
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void operator()(const char* key, Enum value) { json_[key] = std::string(enum_name(value)); }
+
+    void color(const char* key, const Double3& value) { json_[key] = vector(value); }
+    void required(const char* key, const ImageFile& value) { (*this)(key, value); }
+    template <class Enum>
+    void kind(const char* key, Enum value) {
+        (*this)(key, value);
+    }
+    void start_from(Material&, const Material&) {}
+    void glow(const char* key, bool emits, const TexturedColor& value) {
+        if (emits) (*this)(key, value);
+    }
+    void constant(const char* key, const char* value) { json_[key] = value; }
+    void constant(const char* key, int value) { json_[key] = value; }
+    void shape(const char* key, Shape& value);
+    void cameras(Scene& scene);
+    void named(const char* key, std::vector<Texture>& textures);
+    void named(const char* key, std::vector<Material>& materials);
+
+    /// Writes what differs from a default T, nothing if nothing does.
+    template <class T, class Fields>
+    void object(const char* key, T& value, Fields&& fields) {
+        Json inner = difference(value, fields);
+        if (!inner.empty()) json_[key] = std::move(inner);
+    }
+
+    template <class T, class Fields>
+    void list(const char* key, std::vector<T>& values, Fields&& fields) {
+        if (values.empty()) return;
+        Json items = Json::array();
+        for (T& value : values)
+            items.push_back(difference(value, fields));
+        json_[key] = std::move(items);
+    }
+
+private:
+    template <class T, class Fields>
+    Json difference(T& value, Fields&& fields) {
+        T standard = default_like(value);
+        SceneWriter mine(state_), theirs(state_);
+        fields(mine, value);
+        fields(theirs, standard);
+        return without_defaults(mine.take(), theirs.take());
+    }
+
+    template <class T>
+    static T default_like(const T&) {
+        return T{};
+    }
+    static Background default_like(const Background& b);
+    static Texture default_like(const Texture& t);
+    static Material default_like(const Material& m);
+
+    /// A whole number is written without a point; nothing is lost.
+    static Json number(double value);
+    static Json vector(const Double3& v) { return Json{number(v.x), number(v.y), number(v.z)}; }
+    static Json without_defaults(Json json, const Json& standard);
+
+    const WriteState& state_;
+    Json json_ = Json::object();
+};
+
+}  // namespace tp
