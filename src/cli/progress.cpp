@@ -121,7 +121,8 @@ void Progress::draw_until_stopped() {
 
 void Progress::draw_bar() {
     if (!in_foreground()) return;
-    print_status("\r" + progress_bar(facts(), terminal_columns(), terminal_is_utf8()) + "\x1b[K");
+    print_status(fmt::format("\r{}\x1b[K",
+                             progress_bar(facts(), terminal_columns(), terminal_is_utf8())));
 }
 
 void Progress::print_line() {
