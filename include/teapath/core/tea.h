@@ -23,7 +23,9 @@ struct TeaBlock {
 inline constexpr uint32_t kTeaDelta = 0x9e3779b9u;
 
 /// The initial key of key derivations.
-inline constexpr TeaKey kTeaInitialKey = {0xa341316cu, 0xc8013ea4u, 0xad90777du, 0x7e95761eu};
+TP_HD constexpr TeaKey tea_initial_key() {
+    return {0xa341316cu, 0xc8013ea4u, 0xad90777du, 0x7e95761eu};
+}
 
 inline constexpr int kMinTeaRounds = 6;  // for paths and keys
 inline constexpr int kMaxTeaRounds = 32;
@@ -83,7 +85,7 @@ TP_HD TeaKey tea_key(uint32_t device, uint64_t seed, int rounds = 16) {
     rounds = rounds < kMinTeaRounds   ? kMinTeaRounds
              : rounds > kMaxTeaRounds ? kMaxTeaRounds
                                       : rounds;
-    const TeaKey key = derive_key({device, static_cast<uint32_t>(seed)}, kTeaInitialKey, rounds);
+    const TeaKey key = derive_key({device, static_cast<uint32_t>(seed)}, tea_initial_key(), rounds);
     const auto high = static_cast<uint32_t>(seed >> 32);
     return high == 0 ? key : derive_key({high, 1}, key, rounds);
 }
