@@ -1,18 +1,18 @@
 // T25: what single precision costs. This program renders with every number of the kernels a double
 // and compares with the picture of the float program at the same seed.
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <teapath/io/image_file.h>
+#include <teapath/io/scene_file.h>
+#include <teapath/render/session.h>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
-
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <teapath/io/image_file.h>
-#include <teapath/io/scene_file.h>
-#include <teapath/render/session.h>
 
 using namespace tp;
 namespace fs = std::filesystem;
@@ -25,16 +25,19 @@ constexpr int kSamples = 16;
 
 // The float program's radiance of a scene, by way of a file.
 std::vector<float> render_float(const fs::path& scene) {
-    const fs::path output = fs::temp_directory_path() / fmt::format("teapath_float_{}.exr", std::rand());
-    const std::string command = fmt::format("\"{}\" render \"{}\" --spp {} --size 120x90 --backend host --quiet -o \"{}\"", TEAPATH_PROGRAM, scene.string(),
-                                            kSamples, output.string());
+    const fs::path output =
+        fs::temp_directory_path() / fmt::format("teapath_float_{}.exr", std::rand());
+    const std::string command =
+        fmt::format("\"{}\" render \"{}\" --spp {} --size 120x90 --backend host --quiet -o \"{}\"",
+                    TEAPATH_PROGRAM, scene.string(), kSamples, output.string());
     REQUIRE(std::system(command.c_str()) == 0);
     const Image image = read_image(output);
     fs::remove(output);
     const auto* values = reinterpret_cast<const float*>(image.bytes.data());
     std::vector<float> rgb;
     for (int i = 0; i < image.width * image.height; ++i)
-        for (int c = 0; c < 3; ++c) rgb.push_back(values[i * image.channels + c]);
+        for (int c = 0; c < 3; ++c)
+            rgb.push_back(values[i * image.channels + c]);
     return rgb;
 }
 
@@ -65,7 +68,9 @@ void compare(const char* name) {
         differing += std::abs(x - y) > 1e-3 * (std::abs(y) + 0.01);
     }
     const double rmse = std::sqrt(squares / norm);
-    MESSAGE(name << ": relative RMSE " << 100 * rmse << " %, " << 100.0 * static_cast<double>(differing) / static_cast<double>(a.size()) << " % of values differ by more than 0.1 %");
+    MESSAGE(name << ": relative RMSE " << 100 * rmse << " %, "
+                 << 100.0 * static_cast<double>(differing) / static_cast<double>(a.size())
+                 << " % of values differ by more than 0.1 %");
     CHECK(rmse < 0.005);
 }
 

@@ -3,6 +3,7 @@
 
 #include <teapath/device/cuda_check.cuh>
 #include <teapath/kernel/trace_pixel.h>
+#include <teapath/render/kernel_report.h>
 
 namespace tp {
 namespace {
@@ -131,17 +132,24 @@ void launch_display(const Total* totals, const BlockSum* open, uint32_t pixels, 
     check(cudaGetLastError());
 }
 
-KernelResources trace_resources(uint32_t features) {
-    KernelResources resources;
-    with_variant(features, [&]<uint32_t kFeatures>() {
+std::vector<KernelReport> kernel_reports() {
+    int device = 0, most_threads = 0;
+    check(cudaGetDevice(&device));
+    check(cudaDeviceGetAttribute(&most_threads, cudaDevAttrMaxThreadsPerMultiProcessor, device));
+    std::vector<KernelReport> reports;
+    const auto add = [&]<uint32_t kFeatures>(const char* name) {
         cudaFuncAttributes attributes;
+        int blocks = 0;
         check(cudaFuncGetAttributes(&attributes, trace_kernel<kFeatures>));
-        resources.registers = attributes.numRegs;
-        resources.local_bytes = attributes.localSizeBytes;
-        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(
-            &resources.blocks_per_multiprocessor, trace_kernel<kFeatures>, kTraceThreads, 0));
-    });
-    return resources;
+        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, trace_kernel<kFeatures>,
+                                                            kTraceThreads, 0));
+        reports.push_back({name, attributes.numRegs, attributes.localSizeBytes, kTraceThreads,
+                           static_cast<double>(blocks) * kTraceThreads / most_threads});
+    };
+    add.operator()<kVariantSpheres>("spheres, constant colours");
+    add.operator()<kVariantLit>("all shapes and lights, constant colours");
+    add.operator()<kVariantGeneral>("general");
+    return reports;
 }
 
 }  // namespace tp

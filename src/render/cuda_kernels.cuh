@@ -54,13 +54,4 @@ void launch_fold(const TraceLaunch& launch, uint32_t pixels, Total* totals, Bloc
 void launch_display(const Total* totals, const BlockSum* open, uint32_t pixels, int64_t samples,
                     const DisplaySettings& display, Rgb8* rgb, cudaStream_t stream);
 
-/// Registers, local bytes (stack and spills) and resident blocks a multiprocessor of a variant.
-struct KernelResources {
-    int registers = 0;
-    size_t local_bytes = 0;
-    int blocks_per_multiprocessor = 0;
-    int threads = kTraceThreads;
-};
-KernelResources trace_resources(uint32_t features);
-
 }  // namespace tp

@@ -2,12 +2,17 @@
 #include <teapath/core/error.h>
 #include <teapath/device/devices.h>
 #include <teapath/render/backend.h>
+#include <teapath/render/kernel_report.h>
 
 namespace tp {
 
 std::unique_ptr<Backend> make_cuda_backend(int) {
     throw Error(ErrorKind::Device, "this build has no CUDA backend", "",
                 "build with the CUDA Toolkit, or render with --backend host");
+}
+
+std::vector<KernelReport> kernel_reports() {
+    return {};
 }
 
 DeviceList cuda_devices() {

@@ -3,6 +3,7 @@
 // look-at, vertical field of view, aperture, focus distance), a count, then a sphere a line: x y z
 // radius material r g b parameter.
 #include <teapath/core/error.h>
+#include <teapath/render/kernel_report.h>
 #include <teapath/render/session.h>
 
 #include <fmt/format.h>
@@ -89,6 +90,12 @@ int main(int argc, char** argv) try {
         argv[1], samples, session.backend_name(), pixels * samples / best / 1e6, best * 1e3,
         mean[0] / pixels, mean[1] / pixels, mean[2] / pixels, session.arrays().bvh.depth,
         session.arrays().bvh.sah_cost);
+    if (options.backend == tp::BackendKind::Cuda) {
+        for (const tp::KernelReport& k : tp::kernel_reports())
+            fmt::print(
+                "  {}: {} registers, {} bytes of stack, {} threads a block, occupancy {:.1f} %\n",
+                k.name, k.registers, k.stack_bytes, k.threads, 100 * k.occupancy);
+    }
     if (argc > 5) {
         const auto rgb = session.display();
         std::ofstream out(argv[5], std::ios::binary);
