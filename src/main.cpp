@@ -1,4 +1,7 @@
-// The program: hands over to the command line, and is the last place that catches errors.
+// The program: hands over to the window or the command line, and is the last place that catches
+// errors.
+#include "window_command.h"
+
 #include <teapath/cli/program.h>
 #include <teapath/core/error.h>
 
@@ -39,6 +42,7 @@ void print_error(const char* text) {
 int main(int argc, char** argv) {
     open_standard_streams();
     try {
+        if (const auto code = tp::run_window_command(argc, argv)) return *code;
         return tp::run_command_line(argc, argv);
     } catch (const tp::Error& error) {
         print_error(error.what());

@@ -2,10 +2,9 @@
 
 #include "status.h"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -123,8 +122,8 @@ void Progress::draw_until_stopped() {
 
 void Progress::draw_bar() {
     if (!in_foreground()) return;
-    print_status(fmt::format("\r{}\x1b[K",
-                             progress_bar(facts(), terminal_columns(), terminal_is_utf8())));
+    print_status(
+        fmt::format("\r{}\x1b[K", progress_bar(facts(), terminal_columns(), terminal_is_utf8())));
 }
 
 void Progress::print_line() {

@@ -41,8 +41,8 @@ std::vector<uint32_t> parse_words(const std::string& text, size_t count, const c
             used = 0;
         }
         if (used == 0 || used != word.size() || value > 0xffffffffu || word[0] == '-')
-            throw Error(ErrorKind::Usage, fmt::format("'{}' is no 32-bit word in hex", word), option,
-                        "for example a341316c");
+            throw Error(ErrorKind::Usage, fmt::format("'{}' is no 32-bit word in hex", word),
+                        option, "for example a341316c");
         words.push_back(static_cast<uint32_t>(value));
         start = end + 1;
     }
@@ -68,12 +68,13 @@ int write_stream(const RandomOptions& options) {
     uint64_t counter = 0, left = options.bytes;
     while (left > 0) {
         for (TeaBlock& block : blocks) {
-            block = tea_encrypt({static_cast<uint32_t>(counter), static_cast<uint32_t>(counter >> 32)},
-                                key, options.rounds);
+            block =
+                tea_encrypt({static_cast<uint32_t>(counter), static_cast<uint32_t>(counter >> 32)},
+                            key, options.rounds);
             ++counter;
         }
-        const size_t size = static_cast<size_t>(
-            std::min<uint64_t>(left, blocks.size() * sizeof(TeaBlock)));
+        const size_t size =
+            static_cast<size_t>(std::min<uint64_t>(left, blocks.size() * sizeof(TeaBlock)));
         if (std::fwrite(blocks.data(), 1, size, stdout) != size) {
             if (errno == EPIPE) return 0;
             throw Error(ErrorKind::Output, "the stream cannot be written", "standard output",
@@ -111,10 +112,12 @@ Command add_random_command(CLI::App& program) {
     parser->add_option("--rounds", options->rounds, "Rounds, 1 to 32 (default 8)")
         ->type_name("N")
         ->check(CLI::Range(1, kMaxTeaRounds));
-    parser->add_option("--seed", options->seed, "Seed of the stream's key (default 0)")->type_name("N");
+    parser->add_option("--seed", options->seed, "Seed of the stream's key (default 0)")
+        ->type_name("N");
     parser->add_option("--device", options->device, "Device of the stream's key (default 0)")
         ->type_name("N");
-    parser->add_option("--bytes", options->bytes, "Write this much of the stream to standard output")
+    parser
+        ->add_option("--bytes", options->bytes, "Write this much of the stream to standard output")
         ->type_name("N");
     return {parser, [options] { return run_random(*options); }};
 }

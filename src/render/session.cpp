@@ -51,6 +51,11 @@ bool Session::step(int64_t samples) {
     return true;
 }
 
+void Session::restart() {
+    backend_->reset_film(film_setup_);
+    samples_ = 0;
+}
+
 FilmImage Session::film() const {
     return backend_->read_film();
 }

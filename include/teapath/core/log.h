@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tp {
 
@@ -14,6 +17,17 @@ void set_log_level(LogLevel level);
 
 /// Writes one line. Thread-safe.
 void log_line(LogLevel level, std::string_view text);
+
+/// A line as it was written; the program remembers the last 4096.
+struct LogLine {
+    uint64_t serial = 0;  // counts up from 1
+    LogLevel level = LogLevel::Info;
+    std::string time;  // hh:mm:ss
+    std::string text;
+};
+
+/// The remembered lines after `serial`, oldest first. Thread-safe.
+std::vector<LogLine> log_lines_after(uint64_t serial);
 
 template <class... Args>
 void log_info(fmt::format_string<Args...> format, Args&&... args) {

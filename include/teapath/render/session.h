@@ -44,6 +44,9 @@ public:
     /// then empty again.
     bool step(int64_t samples);
 
+    /// Empties the film.
+    void restart();
+
     /// Asks a step under way, from any thread, to end early.
     void cancel() { cancel_ = true; }
 

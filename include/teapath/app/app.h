@@ -1,0 +1,27 @@
+// The window program.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tp {
+
+struct AppOptions {
+    std::filesystem::path scene;  // empty: a fresh scene
+    std::string backend = "auto";
+    int device = 0;
+    int threads = 0;
+    int width = 1280;  // of the window, in screen coordinates
+    int height = 720;
+    double quit_after = 0;             // seconds; 0 = never; for tests
+    std::filesystem::path screenshot;  // written before quitting, for tests
+};
+
+/// Opens the window and runs until it is closed. Returns the exit code. Throws Error where no
+/// window can be opened.
+int run_app(const AppOptions& options);
+
+/// True if a display is there to open a window on.
+bool has_display();
+
+}  // namespace tp

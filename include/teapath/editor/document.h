@@ -1,0 +1,80 @@
+// The open document: a scene, its file, what is selected, and the history of edits. No window, no
+// GL. Every way a user can change the scene goes through `edit` (undoable) or `fly` (the camera
+// while flying, which is no step of the history).
+#pragma once
+
+#include <teapath/scene/scene.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+using ScenePtr = std::shared_ptr<const Scene>;
+
+/// One step of the history: the scene after it. Copies of a scene share their images.
+struct HistoryStep {
+    std::string label;      // "Move sphere"
+    std::string merge_key;  // a drag's steps carry the same key and become one
+    ScenePtr scene;
+};
+
+class Document {
+public:
+    /// An empty scene with a camera, a sky and a floor to begin with.
+    Document();
+
+    const Scene& scene() const { return *scene_; }
+    /// The scene as an immutable snapshot; a new one after each change.
+    const ScenePtr& snapshot() const { return scene_; }
+
+    /// Changes a copy of the scene by `change` and makes a step of it. Steps with the same,
+    /// non-empty `merge_key` that follow each other are one. Nothing happens if nothing changes.
+    void edit(const std::string& label, const std::string& merge_key,
+              const std::function<void(Scene&)>& change);
+    /// Ends a run of merged steps, as when the mouse button is released.
+    void end_merge() { merging_ = false; }
+
+    /// Moves the active camera without a step of the history.
+    void fly(const Camera& camera);
+
+    bool can_undo() const { return position_ > 0; }
+    bool can_redo() const { return position_ + 1 < steps_.size(); }
+    void undo() { go_to(position_ - 1); }
+    void redo() { go_to(position_ + 1); }
+    /// Goes to a step of the history; the camera stays where it has been flown to.
+    void go_to(size_t position);
+    const std::vector<HistoryStep>& history() const { return steps_; }
+    size_t history_position() const { return position_; }
+
+    /// True if the scene differs from what the file holds.
+    bool is_modified() const { return modified_; }
+    const std::filesystem::path& file() const { return file_; }
+    std::string title() const;
+
+    /// Throw Error; the document is as before then.
+    void open(const std::filesystem::path& file);
+    void save(const std::filesystem::path& file);
+    void start_new();
+
+    std::vector<ObjectId> selection;  // the last one is the active one
+    bool is_selected(ObjectId id) const;
+    void select(ObjectId id, bool add = false);
+
+private:
+    void set_scene(Scene scene);
+    void reset(Scene scene, std::filesystem::path file);
+
+    ScenePtr scene_;
+    ScenePtr saved_;
+    std::vector<HistoryStep> steps_;
+    size_t position_ = 0;
+    bool merging_ = false;
+    bool modified_ = false;
+    std::filesystem::path file_;
+};
+
+}  // namespace tp

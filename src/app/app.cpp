@@ -1,0 +1,152 @@
+// The frame loop: events, panels, renderer, picture.
+#include <teapath/app/app.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+
+// After imgui.h, which it needs.
+#include "panels/panels.h"
+
+#include <teapath/core/error.h>
+#include <teapath/io/image_file.h>
+#include <teapath/render/backend_names.h>
+
+#include <ImGuizmo.h>
+#include <imgui_internal.h>
+
+namespace tp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// The default places of the panels around the picture.
+void build_layout(ImGuiID dockspace) {
+    const ImVec2 size = ImGui::GetMainViewport()->WorkSize;
+    ImGui::DockBuilderRemoveNode(dockspace);
+    ImGui::DockBuilderAddNode(dockspace, ImGuiDockNodeFlags_DockSpace);
+    ImGui::DockBuilderSetNodeSize(dockspace, size);
+    ImGuiID middle = dockspace;
+    const float font = ImGui::GetFontSize();
+    const float side = std::clamp(18 * font / size.x, 0.12f, 0.23f),
+                low = std::clamp(12 * font / size.y, 0.12f, 0.28f);
+    const ImGuiID bottom =
+        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Down, low, nullptr, &middle);
+    const ImGuiID left = ImGui::DockBuilderSplitNode(middle, ImGuiDir_Left, side, nullptr, &middle);
+    ImGuiID right =
+        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Right, side / (1 - side), nullptr, &middle);
+    const ImGuiID inspector =
+        ImGui::DockBuilderSplitNode(right, ImGuiDir_Down, 0.58f, nullptr, &right);
+    ImGuiID console = bottom;
+    const ImGuiID metrics =
+        ImGui::DockBuilderSplitNode(console, ImGuiDir_Right, 0.5f, nullptr, &console);
+    ImGui::DockBuilderDockWindow("Viewport", middle);
+    ImGui::DockBuilderDockWindow("Options", left);
+    ImGui::DockBuilderDockWindow("Scene", right);
+    ImGui::DockBuilderDockWindow("Inspector", inspector);
+    ImGui::DockBuilderDockWindow("Console", console);
+    ImGui::DockBuilderDockWindow("Metrics", metrics);
+    ImGui::DockBuilderDockWindow("History", metrics);
+    // The tab in front is the one that was docked last, once its window is there.
+    if (ImGuiDockNode* node = ImGui::DockBuilderGetNode(metrics))
+        node->SelectedTabId = ImHashStr("#TAB", 0, ImHashStr("Metrics"));
+    if (ImGuiDockNode* node = ImGui::DockBuilderGetNode(middle))
+        node->LocalFlags |= ImGuiDockNodeFlags_HiddenTabBar;
+    ImGui::DockBuilderFinish(dockspace);
+}
+
+void draw_panels(PanelContext& c) {
+    ImGuizmo::BeginFrame();
+    draw_menu_bar(c);
+    draw_status_bar(c);
+    const ImGuiID dockspace = ImGui::GetID("dockspace");
+    if (c.ui.reset_layout || !ImGui::DockBuilderGetNode(dockspace)) build_layout(dockspace);
+    c.ui.reset_layout = false;
+    ImGui::DockSpaceOverViewport(dockspace, ImGui::GetMainViewport(), ImGuiDockNodeFlags_None);
+    draw_viewport(c);
+    draw_options(c);
+    draw_scene_tree(c);
+    draw_inspector(c);
+    draw_console(c);
+    draw_metrics(c);
+    draw_history(c);
+    draw_dialogs(c);
+}
+
+void remember_times(UiState& ui, double interface_ms, const RenderStatus& status) {
+    const auto i = static_cast<size_t>(ui.frame_count++ % 240);
+    ui.frame_ms[i] = static_cast<float>(interface_ms);
+    ui.trace_ms[i] = static_cast<float>(status.step_ms);
+}
+
+void write_screenshot(const Window& window, const std::filesystem::path& file) {
+    Picture picture;
+    picture.display = window.read_pixels(picture.width, picture.height);
+    write_picture(file, picture);
+}
+
+SessionOptions session_options(const AppOptions& options) {
+    SessionOptions session;
+    session.backend = options.backend == "cuda"   ? BackendKind::Cuda
+                      : options.backend == "host" ? BackendKind::Host
+                                                  : BackendKind::Auto;
+    session.device = options.device;
+    session.threads = options.threads;
+    return session;
+}
+
+}  // namespace
+
+int run_app(const AppOptions& options) {
+    // The device wakes up while the window opens.
+    RenderWorker worker(session_options(options));
+    Document document;
+    std::string open_error;
+    if (!options.scene.empty()) document.open(options.scene);
+    UiState ui;
+    worker.set_scene(document.snapshot(), ui.view_width, ui.view_height, false);
+    Window window(options.width, options.height, "Teapath");
+    DisplayTexture texture;
+    DisplayFrame frame;
+    std::string title;
+    const auto start = Clock::now();
+    double next_frame_ms = 0;
+
+    for (;;) {
+        // Events, at sixty frames a second at most.
+        window.begin_frame(std::max(0.0, (next_frame_ms - ms_since(start)) / 1e3));
+        const auto frame_start = Clock::now();
+        next_frame_ms = ms_since(start) + 1000.0 / 60;
+
+        // The newest picture.
+        const auto upload_start = Clock::now();
+        if (worker.take_frame(frame.serial, frame)) {
+            texture.upload(frame.rgb, frame.width, frame.height);
+            ui.upload_ms = ms_since(upload_start);
+        }
+
+        // The interface, which may change the document.
+        const RenderStatus status = worker.status();
+        PanelContext context{document, worker, ui, texture, window, status};
+        for (const std::filesystem::path& file : window.take_drops())
+            open_scene(context, file);
+        draw_panels(context);
+        worker.set_scene(document.snapshot(), ui.view_width, ui.view_height, ui.is_moving);
+        if (title != document.title()) window.set_title((title = document.title()) + " - Teapath");
+        remember_times(ui, ms_since(frame_start), status);
+        window.draw();
+        const bool is_last = options.quit_after > 0 && ms_since(start) > options.quit_after * 1e3;
+        if (is_last && !options.screenshot.empty()) write_screenshot(window, options.screenshot);
+        window.show();
+        if (is_last) break;
+        if (window.should_close() && (!document.is_modified() || ui.pending.empty())) break;
+    }
+    return 0;
+}
+
+}  // namespace tp

@@ -1,0 +1,244 @@
+#include "render_worker.h"
+
+#include <teapath/core/error.h>
+#include <teapath/core/log.h>
+#include <teapath/device/pick.h>
+#include <teapath/render/scheduler.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace tp {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr double kPreviewSeconds = 0.03;  // that a picture may take while the user moves something
+constexpr double kStepSeconds = 0.05;     // that a step may take when all is still
+constexpr double kRestSeconds = 0.15;     // of stillness before full resolution comes back
+
+}  // namespace
+
+RenderWorker::RenderWorker(const SessionOptions& options)
+    : thread_([this, options] { run(options); }) {}
+
+RenderWorker::~RenderWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        if (Session* session = session_) session->cancel();
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,
+                             bool is_moving) {
+    const std::lock_guard lock(mutex_);
+    if (posted_.scene == scene && posted_.width == width && posted_.height == height &&
+        posted_.is_moving == is_moving)
+        return;
+    posted_ = {scene, width, height, is_moving, false};
+    request_ = {std::move(scene), width, height, is_moving, request_.restart};
+    has_request_ = true;
+    // A long step at full resolution gives way; a short one is let finish, so that pictures come.
+    if (Session* session = session_; session && status_.step_ms > 100 && !status_.is_preview)
+        session->cancel();
+    wake_.notify_all();
+}
+
+void RenderWorker::set_paused(bool paused) {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+    wake_.notify_all();
+}
+
+void RenderWorker::restart() {
+    const std::lock_guard lock(mutex_);
+    request_.restart = true;
+    has_request_ = request_.scene != nullptr;
+    wake_.notify_all();
+}
+
+bool RenderWorker::take_frame(uint64_t serial, DisplayFrame& frame) {
+    const std::lock_guard lock(mutex_);
+    if (frame_.serial == serial || frame_.rgb.empty()) return false;
+    std::swap(frame, frame_);
+    frame_.serial = frame.serial;  // what is left is no news
+    return true;
+}
+
+RenderStatus RenderWorker::status() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+}
+
+void RenderWorker::request_pick(double x, double y) {
+    const std::lock_guard lock(mutex_);
+    pick_request_ = Double2(x, y);
+    wake_.notify_all();
+}
+
+std::optional<RenderWorker::Pick> RenderWorker::take_pick() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(pick_, std::nullopt);
+}
+
+void RenderWorker::run(SessionOptions options) {
+    // A device that fails is left for the host; the scene is not touched.
+    for (;;) {
+        try {
+            Session session(options);
+            session_ = &session;
+            work(session);
+            session_ = nullptr;
+            return;
+        } catch (const std::exception& error) {
+            session_ = nullptr;
+            log_line(LogLevel::Error, error.what());
+            const std::lock_guard lock(mutex_);
+            status_.error = error.what();
+            if (stopping_ || options.backend == BackendKind::Host) return;
+            options.backend = BackendKind::Host;
+            has_request_ = request_.scene != nullptr;
+        }
+    }
+}
+
+void RenderWorker::work(Session& session) {
+    auto last_change = Clock::now();
+    StepHistory history;
+    for (;;) {
+        Request request;
+        bool changed = false;
+        {
+            std::unique_lock lock(mutex_);
+            status_.backend = session.backend_name();
+            const auto idle = [&] {
+                return paused_ || !current_.scene || session.samples() >= target_;
+            };
+            const auto news = [&] { return stopping_ || has_request_ || pick_request_; };
+            if (!news() && divider_ > 1) {
+                // Low resolution is for moving; it ends after a short rest.
+                const double left = kRestSeconds - seconds_since(last_change);
+                if (left > 0) wake_.wait_for(lock, std::chrono::duration<double>(left), news);
+                if (!news()) {
+                    request_ = current_;
+                    request_.is_moving = false;
+                    has_request_ = true;
+                }
+            } else if (idle() && !news()) {
+                wake_.wait(lock, [&] { return news() || !idle(); });
+            }
+            if (stopping_) return;
+            if (has_request_) {
+                request = request_;
+                request_.restart = false;
+                has_request_ = false;
+                changed = true;
+            }
+        }
+        if (changed && apply(session, request)) {
+            if (request.is_moving) last_change = Clock::now();
+            history = {};
+        }
+        answer_pick(session);
+        if (!current_.scene) continue;
+
+        history.done = session.samples();
+        history.target = target_;
+        history.budget_seconds = kStepSeconds;
+        int64_t samples = next_samples(history);
+        {
+            const std::lock_guard lock(mutex_);
+            if (paused_ && session.samples() > 0) samples = 0;  // one sample shows what was changed
+        }
+        if (samples == 0) {
+            if (changed && session.samples() > 0)
+                publish(session, divider_ > 1);  // exposure, tone curve
+            continue;
+        }
+        const auto start = Clock::now();
+        if (!session.step(samples)) continue;
+        const double seconds = seconds_since(start);
+        history.last_samples = samples;
+        history.last_seconds = seconds;
+        const double traced =
+            static_cast<double>(samples) * current_.width * current_.height / (divider_ * divider_);
+        pixels_per_second_ = traced / std::max(seconds, 1e-6);
+        {
+            const std::lock_guard lock(mutex_);
+            status_.step_ms = seconds * 1e3;
+            status_.samples_per_second = pixels_per_second_;
+        }
+        publish(session, divider_ > 1);
+    }
+}
+
+int RenderWorker::preview_divider(const Request& request) const {
+    if (!request.is_moving) return 1;
+    const double pixels = static_cast<double>(request.width) * request.height;
+    const double wanted = std::sqrt(pixels / std::max(1.0, pixels_per_second_ * kPreviewSeconds));
+    return std::clamp(static_cast<int>(std::ceil(wanted)), 1, 8);
+}
+
+bool RenderWorker::apply(Session& session, const Request& request) {
+    const int divider = preview_divider(request);
+    const bool same = current_.scene == request.scene && current_.width == request.width &&
+                      current_.height == request.height && divider_ == divider && !request.restart;
+    current_ = request;
+    if (same) return false;
+    divider_ = divider;
+    const auto start = Clock::now();
+    auto scene = std::make_shared<Scene>(*request.scene);
+    scene->render.width = std::max(1, request.width / divider);
+    scene->render.height = std::max(1, request.height / divider);
+    target_ = scene->render.samples;
+    session.sync(std::move(scene));
+    if (request.restart) session.restart();
+    const std::lock_guard lock(mutex_);
+    status_.error.clear();
+    status_.sync_ms = seconds_since(start) * 1e3;
+    status_.hittables = session.arrays().hittables.size();
+    status_.lights = session.arrays().lights.size();
+    status_.bvh = session.arrays().bvh;
+    return true;
+}
+
+void RenderWorker::answer_pick(Session& session) {
+    std::optional<Double2> request;
+    {
+        const std::lock_guard lock(mutex_);
+        request = std::exchange(pick_request_, std::nullopt);
+    }
+    if (!request || !current_.scene) return;
+    const PickResult result = tp::pick(session.arrays(), request->x, request->y);
+    const std::lock_guard lock(mutex_);
+    pick_ = Pick{result.object, result.point};
+}
+
+void RenderWorker::publish(Session& session, bool is_preview) {
+    const auto start = Clock::now();
+    std::vector<uint8_t> rgb = session.display();
+    const std::lock_guard lock(mutex_);
+    frame_.rgb = std::move(rgb);
+    frame_.width = std::max(1, current_.width / divider_);
+    frame_.height = std::max(1, current_.height / divider_);
+    frame_.samples = session.samples();
+    ++frame_.serial;
+    status_.display_ms = seconds_since(start) * 1e3;
+    status_.samples = session.samples();
+    status_.width = frame_.width;
+    status_.height = frame_.height;
+    status_.memory_bytes = session.memory_bytes();
+    status_.invalid_samples = session.counters().invalid_samples;
+    status_.is_done = session.samples() >= target_;
+    status_.is_preview = is_preview;
+}
+
+}  // namespace tp

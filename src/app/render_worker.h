@@ -1,0 +1,107 @@
+// Renders beside the interface: a thread owns the Session, takes snapshots of the document, and
+// publishes finished pictures. Nothing here waits for the renderer.
+#pragma once
+
+#include <teapath/device/scene_arrays.h>
+#include <teapath/render/session.h>
+#include <teapath/scene/scene.h>
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tp {
+
+/// A finished picture: RGB bytes, row-major, top row first.
+struct DisplayFrame {
+    std::vector<uint8_t> rgb;
+    int width = 0;
+    int height = 0;
+    int64_t samples = 0;
+    uint64_t serial = 0;  // grows with each picture
+};
+
+struct RenderStatus {
+    std::string backend;
+    std::string error;  // of the renderer, for people; empty if all is well
+    int64_t samples = 0;
+    int width = 0, height = 0;
+    double samples_per_second = 0;  // camera samples
+    double step_ms = 0;             // tracing
+    double display_ms = 0;          // tone curve and copy
+    double sync_ms = 0;             // of the last change of the scene
+    size_t memory_bytes = 0;
+    uint64_t invalid_samples = 0;
+    size_t hittables = 0, lights = 0;
+    BvhStats bvh;
+    bool is_done = false;  // all samples wanted are there
+    bool is_preview = false;
+};
+
+class RenderWorker {
+public:
+    explicit RenderWorker(const SessionOptions& options);
+    ~RenderWorker();
+    RenderWorker(const RenderWorker&) = delete;
+    RenderWorker& operator=(const RenderWorker&) = delete;
+
+    /// The scene to render from now on, at this size in pixels. `is_moving`: a drag or a flight is
+    /// under way, so resolution may drop to keep up.
+    void set_scene(std::shared_ptr<const Scene> scene, int width, int height, bool is_moving);
+    void set_paused(bool paused);
+    void restart();
+
+    /// The newest picture if it is newer than `serial`.
+    bool take_frame(uint64_t serial, DisplayFrame& frame);
+    RenderStatus status() const;
+
+    /// Asks which object lies at (x, y) of [0, 1]^2 of the picture; the answer comes later.
+    void request_pick(double x, double y);
+    /// The answer, once. `distance` is along the ray.
+    struct Pick {
+        ObjectId object;
+        Double3 point{0, 0, 0};
+    };
+    std::optional<Pick> take_pick();
+
+private:
+    struct Request {
+        std::shared_ptr<const Scene> scene;
+        int width = 0, height = 0;
+        bool is_moving = false;
+        bool restart = false;
+    };
+    void run(SessionOptions options);
+    void work(Session& session);
+    bool apply(Session& session, const Request& request);
+    void answer_pick(Session& session);
+    void publish(Session& session, bool is_preview);
+    int preview_divider(const Request& request) const;
+
+    mutable std::mutex mutex_;
+    std::condition_variable wake_;
+    Request posted_;   // what the interface asked for last
+    Request request_;  // what is to be done next
+    bool has_request_ = false;
+    bool paused_ = false;
+    bool stopping_ = false;
+    std::optional<Double2> pick_request_;
+    std::optional<Pick> pick_;
+    DisplayFrame frame_;
+    RenderStatus status_;
+    std::atomic<Session*> session_ = nullptr;
+
+    // The thread's own.
+    Request current_;
+    double pixels_per_second_ = 2e6;
+    int divider_ = 1;
+    int64_t target_ = 0;
+    std::thread thread_;
+};
+
+}  // namespace tp

@@ -1,0 +1,186 @@
+#include "window.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+// The GL loader goes before GLFW.
+#include "theme.h"
+
+#include <teapath/app/app.h>
+#include <teapath/core/error.h>
+
+#include <GLFW/glfw3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+#include <imgui_impl_glfw.h>
+#include <imgui_impl_opengl3.h>
+#include <implot.h>
+
+namespace tp {
+namespace {
+
+std::string& last_glfw_error() {
+    static std::string text;
+    return text;
+}
+
+// The user's folder for layouts and the like; created.
+std::filesystem::path configuration_folder() {
+    const char* xdg = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder = xdg && *xdg
+                                       ? std::filesystem::path(xdg)
+                                       : std::filesystem::path(home ? home : ".") / ".config";
+    folder /= "teapath";
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    return folder;
+}
+
+}  // namespace
+
+bool has_display() {
+    const auto is_set = [](const char* name) {
+        const char* value = std::getenv(name);
+        return value && *value;
+    };
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
+Window::Window(int width, int height, const std::string& title) {
+    glfwSetErrorCallback([](int, const char* text) { last_glfw_error() = text; });
+    if (!glfwInit())
+        throw Error(ErrorKind::Device, "no window can be opened: " + last_glfw_error(), "",
+                    "start it on a desktop, or use `teapath render`");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+    if (!window_) {
+        const std::string why = last_glfw_error();
+        glfwTerminate();
+        throw Error(ErrorKind::Device, "no window with OpenGL 4.5 can be opened: " + why, "",
+                    "install a newer graphics driver, or use `teapath render`");
+    }
+    glfwMakeContextCurrent(window_);
+    gladLoadGL(glfwGetProcAddress);
+    glfwSwapInterval(1);
+    gl_name_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    float scale_y = 1;
+    glfwGetWindowContentScale(window_, &scale_, &scale_y);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        auto* self = static_cast<Window*>(glfwGetWindowUserPointer(w));
+        for (int i = 0; i < count; ++i)
+            self->drops_.emplace_back(paths[i]);
+    });
+
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImPlot::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags |= ImGuiConfigFlags_DockingEnable | ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ini_file_ = (configuration_folder() / "layout.ini").string();
+    io.IniFilename = ini_file_.c_str();
+    load_fonts(scale_);
+    apply_dark_theme(scale_);
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 450");
+}
+
+Window::~Window() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImPlot::DestroyContext();
+    ImGui::DestroyContext();
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+bool Window::should_close() const {
+    return glfwWindowShouldClose(window_);
+}
+void Window::set_should_close(bool close) {
+    glfwSetWindowShouldClose(window_, close);
+}
+void Window::set_title(const std::string& title) {
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+void Window::begin_frame(double seconds) {
+    if (seconds > 0)
+        glfwWaitEventsTimeout(seconds);
+    else
+        glfwPollEvents();
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Window::draw() {
+    ImGui::Render();
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    if (width < 1 || height < 1) return;
+    glViewport(0, 0, width, height);
+    glClearColor(0.4f, 0.4f, 0.4f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void Window::show() {
+    glfwSwapBuffers(window_);
+}
+
+bool Window::is_hidden() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return width < 1 || height < 1 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED);
+}
+
+void Window::toggle_full_screen() {
+    if (glfwGetWindowMonitor(window_)) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2],
+                             windowed_[3], 0);
+        return;
+    }
+    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
+    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::capture_cursor(bool capture) {
+    glfwSetInputMode(window_, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    if (glfwRawMouseMotionSupported()) glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, capture);
+    ImGuiIO& io = ImGui::GetIO();
+    if (capture)
+        io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NoMouseCursorChange;
+}
+
+std::vector<std::filesystem::path> Window::take_drops() {
+    return std::exchange(drops_, {});
+}
+
+std::vector<unsigned char> Window::read_pixels(int& width, int& height) const {
+    glfwGetFramebufferSize(window_, &width, &height);
+    const auto row = 3 * static_cast<size_t>(width);
+    std::vector<unsigned char> pixels(row * static_cast<size_t>(height)), flipped(pixels.size());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadBuffer(GL_BACK);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    for (size_t y = 0; y < static_cast<size_t>(height); ++y)
+        std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(y * row), row,
+                    flipped.end() - static_cast<std::ptrdiff_t>((y + 1) * row));
+    return flipped;
+}
+
+}  // namespace tp

@@ -1,0 +1,44 @@
+#include "window_command.h"
+
+#include <teapath/app/app.h>
+#include <teapath/core/error.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace tp {
+
+std::optional<int> run_window_command(int argc, char** argv) {
+    const bool names_scene = argc > 1 && std::filesystem::path(argv[1]).extension() == ".json";
+    if (argc > 1 && !names_scene) return std::nullopt;
+    AppOptions options;
+    CLI::App parser("Opens a scene in the window.", "teapath");
+    std::string size;
+    parser.add_option("scene", options.scene, "The scene file to open");
+    parser.add_option("--backend", options.backend, "auto, cuda or host")
+        ->check(CLI::IsMember({"auto", "cuda", "host"}));
+    parser.add_option("--device", options.device, "CUDA device number");
+    parser.add_option("--threads", options.threads, "Threads of the host backend; 0 = all cores");
+    parser.add_option("--width", options.width, "Width of the window")
+        ->check(CLI::Range(100, 16384));
+    parser.add_option("--height", options.height, "Height of the window")
+        ->check(CLI::Range(100, 16384));
+    parser.add_option("--quit-after", options.quit_after,
+                      "Close the window after this many seconds");
+    parser.add_option("--screenshot", options.screenshot,
+                      "Write the window's picture to this file before closing");
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return parser.exit(success);
+    } catch (const CLI::ParseError& error) {
+        throw Error(ErrorKind::Usage, error.what(), "", "see teapath --help");
+    }
+    return run_app(options);
+}
+
+}  // namespace tp
