@@ -1,7 +1,11 @@
 // The frame loop: events, panels, renderer, picture.
-#include <teapath/app/app.h>
-
+// ImGuizmo needs ImGui before it.
+// clang-format off
 #include <imgui.h>
+#include <ImGuizmo.h>
+// clang-format on
+
+#include <teapath/app/app.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +17,6 @@
 #include <teapath/io/image_file.h>
 #include <teapath/render/backend_names.h>
 
-#include <ImGuizmo.h>
 #include <imgui_internal.h>
 
 namespace tp {

@@ -1,22 +1,25 @@
 #include "window.h"
 
-#include <algorithm>
-#include <cstdlib>
-#include <system_error>
-#include <utility>
-
 // The GL loader goes before GLFW.
+// clang-format off
+#include <glad/gl.h>
+#include <GLFW/glfw3.h>
+// clang-format on
+
 #include "theme.h"
 
 #include <teapath/app/app.h>
 #include <teapath/core/error.h>
 
-#include <GLFW/glfw3.h>
-#include <glad/gl.h>
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
 #include <implot.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <utility>
 
 namespace tp {
 namespace {

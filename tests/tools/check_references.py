@@ -19,7 +19,7 @@ REFERENCES = os.path.join(os.path.dirname(HERE), "references")
 
 # Caustics have heavy tails: a short render's own error estimate is poor there. These scenes take
 # this many times the samples of the others.
-MORE_SAMPLES = {"07_cornell_glass": 8, "04_glass": 2, "11_lens": 2}
+MORE_SAMPLES = {"07_cornell_glass": 16, "04_glass": 2, "11_lens": 2}
 
 
 def run(command):

@@ -1,8 +1,13 @@
 // The picture: flying, picking, the gizmo, the overlay.
+// ImGuizmo needs ImGui before it.
+// clang-format off
+#include <imgui.h>
+#include <ImGuizmo.h>
+// clang-format on
+
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +17,6 @@
 #include "panels.h"
 
 #include <teapath/editor/scene_edits.h>
-
-#include <ImGuizmo.h>
 
 namespace tp {
 namespace {
