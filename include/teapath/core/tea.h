@@ -99,6 +99,17 @@ TP_HD TeaKey canonical(TeaKey key) {
     return key;
 }
 
+/// The generator of the OptiX SDK's samples, for comparison with programs that use it: word 0 of
+/// TEA seeds a linear congruential generator, of which 24 bits are taken.
+struct OptixRandom {
+    uint32_t state;
+    TP_HD_MEMBER explicit OptixRandom(uint32_t seed) : state(seed) {}
+    TP_HD_MEMBER uint32_t next_bits() {
+        state = 1664525u * state + 1013904223u;
+        return state & 0x00ffffffu;
+    }
+};
+
 /// A number in [0, 1), never 1: 24 bits as float, 32 as double.
 TP_HD Real unit_real(uint32_t bits) {
     if constexpr (sizeof(Real) == 4) return static_cast<Real>(bits >> 8) * Real(0x1p-24);

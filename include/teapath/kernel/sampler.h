@@ -3,6 +3,7 @@
 
 #include <teapath/core/tea.h>
 #include <teapath/kernel/kinds.h>
+#include <teapath/kernel/sobol.h>
 
 namespace tp {
 
@@ -33,17 +34,31 @@ TP_HD TeaBlock sample_block(const Sampler& s, uint32_t dimension) {
     return tea_encrypt(block, derive_key({pair >> kPairBits, 3}, s.key, 16), s.rounds);
 }
 
-/// Two numbers in [0, 1) for dimensions `dimension` (even) and the next.
+/// The pair of words of Owen-scrambled Sobol: the sample's number is the index, pixel and pair of
+/// dimensions make the seeds.
+TP_HD TeaBlock sobol_block(const Sampler& s, uint32_t dimension) {
+    Sampler seeds = s;
+    seeds.sample = 0;
+    return sobol_point(s.sample, sample_block(seeds, dimension));
+}
+
+/// Two numbers in [0, 1) for dimensions `dimension` (even) and the next. With kSobol the sampler's
+/// kind decides; without it is TEA.
 template <bool kSobol>
 TP_HD Vec2 sample_2d(const Sampler& s, uint32_t dimension) {
-    const TeaBlock block = sample_block(s, dimension);
+    TeaBlock block;
+    if (kSobol && s.kind == SamplerKind::Sobol)
+        block = sobol_block(s, dimension);
+    else
+        block = sample_block(s, dimension);
     return {unit_real(block.v0), unit_real(block.v1)};
 }
 
+/// One number in [0, 1) for dimension `dimension`.
 template <bool kSobol>
 TP_HD Real sample_1d(const Sampler& s, uint32_t dimension) {
-    const TeaBlock block = sample_block(s, dimension & ~1u);
-    return unit_real(dimension & 1 ? block.v1 : block.v0);
+    const Vec2 pair = sample_2d<kSobol>(s, dimension & ~1u);
+    return dimension & 1 ? pair.y : pair.x;
 }
 
 }  // namespace tp
