@@ -1,12 +1,11 @@
-// Every warp against its density, by chi-squared tests; AC-F3's moments.
+// Every map from the unit square against its density, by chi squared.
 #include "support/chi2.h"
 
-#include <teapath/core/tea.h>
-#include <teapath/kernel/bsdf/lambertian.h>
 #include <teapath/kernel/warps.h>
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <initializer_list>
 
 using namespace tp;
@@ -14,133 +13,149 @@ using namespace tp::test;
 
 namespace {
 
-constexpr int kSamples = 400000;
-constexpr int kTests = 16;
+constexpr uint32_t kSamples = 200000;
+const double kLevel = sidak(0.01, 24);  // of each test in this file
 
-Vec2 uniform2(int i, uint32_t stream = 0) {
-    const TeaBlock b = tea_encrypt<8>({static_cast<uint32_t>(i), stream}, tea_key(0, 99));
-    return {unit_real(b.v0), unit_real(b.v1)};
-}
-Real uniform1(int i) {
-    return uniform2(i, 77).x;
+double square(double x) {
+    return x * x;
 }
 
-double p_of(const std::function<Vec3(int)>& sample, const std::function<double(const Vec3&)>& pdf,
-            SphereBins bins = {}) {
-    return chi2_directions<Vec3>(sample, pdf, kSamples, bins);
+// Calls f(u, u3) for kSamples random numbers.
+template <class F>
+void for_numbers(F&& f) {
+    const TeaKey key = tea_key(0, 7);
+    for (uint32_t i = 0; i < kSamples; ++i) {
+        const TeaBlock a = tea_encrypt<8>({i, 0}, key), b = tea_encrypt<8>({i, 1}, key);
+        f(Vec2{unit_real(a.v0), unit_real(a.v1)}, unit_real(b.v0));
+    }
+}
+
+int slot(double x, int count) {
+    return std::clamp(static_cast<int>(x * count), 0, count - 1);
+}
+
+double turn_of(double x, double y) {
+    const double turn = std::atan2(y, x) / (2 * 3.14159265358979323846);
+    return turn < 0 ? turn + 1 : turn;
+}
+
+template <class Sample, class Pdf>
+void check_directions(double depth, Sample&& sample, Pdf&& pdf, Vec3 axis = {0, 0, 1}) {
+    double lost[2];
+    const Chi2 chi2 =
+        chi2_test_directions(DirectionGrid(axis, depth), kSamples, sample, pdf, &lost);
+    CAPTURE(chi2.statistic);
+    CAPTURE(chi2.degrees);
+    CHECK(chi2.p_value > kLevel);
+    CHECK(chi2.impossible == 0);
+    CHECK(std::abs(lost[1]) < 1e-3);  // the density integrates to 1
 }
 
 }  // namespace
 
-TEST_CASE("the chi-squared tail has its textbook values") {
-    CHECK(chi2_tail(3.841, 1) == doctest::Approx(0.05).epsilon(0.001));
-    CHECK(chi2_tail(124.342, 100) == doctest::Approx(0.05).epsilon(0.001));
-    CHECK(chi2_tail(149.449, 100) == doctest::Approx(0.001).epsilon(0.002));
+TEST_CASE("chi squared has the tabulated quantiles, and finds a wrong density") {
+    CHECK(chi2_p_value(3.841459, 1) == doctest::Approx(0.05).epsilon(1e-5));
+    CHECK(chi2_p_value(18.307038, 10) == doctest::Approx(0.05).epsilon(1e-5));
+    CHECK(chi2_p_value(2.558212, 10) == doctest::Approx(0.99).epsilon(1e-5));
+    CHECK(chi2_p_value(310.45739, 255) == doctest::Approx(0.01).epsilon(1e-4));
+    CHECK(sidak(0.01, 1) == doctest::Approx(0.01));
+    CHECK(std::pow(1 - sidak(0.01, 20), 20) == doctest::Approx(0.99));
+    const auto uniform = [](Vec2 u, Real) { return sample_uniform_hemisphere(u); };
+    const auto cosine = [](Vec3 d) { return cosine_hemisphere_pdf(d.z); };
+    CHECK(chi2_test_directions(DirectionGrid({0, 0, 1}, 1), kSamples, uniform, cosine).p_value <
+          1e-9);
 }
 
-TEST_CASE("directions: hemisphere, sphere, cosine and cone") {
-    CHECK(p_of([](int i) { return sample_cosine_hemisphere(uniform2(i)); },
-               [](const Vec3& d) { return static_cast<double>(cosine_hemisphere_pdf(d.z)); }) >
-          sidak(kTests));
-    CHECK(p_of([](int i) { return sample_uniform_hemisphere(uniform2(i)); },
-               [](const Vec3& d) {
-                   return d.z > 0 ? static_cast<double>(uniform_hemisphere_pdf()) : 0;
-               }) > sidak(kTests));
-    CHECK(p_of([](int i) { return sample_uniform_sphere(uniform2(i)); },
-               [](const Vec3&) { return static_cast<double>(uniform_sphere_pdf()); }) >
-          sidak(kTests));
-    // A cone whose rim falls between rows of bins.
-    const Real cone = Real(0.3);
-    CHECK(p_of([&](int i) { return sample_uniform_cone(uniform2(i), cone); },
-               [&](const Vec3& d) {
-                   return d.z > 1 - cone ? static_cast<double>(uniform_cone_pdf(cone)) : 0;
-               }) > sidak(kTests));
-    // The test itself can fail: a wrong density is seen.
-    CHECK(p_of([](int i) { return sample_uniform_hemisphere(uniform2(i)); },
-               [](const Vec3& d) { return static_cast<double>(cosine_hemisphere_pdf(d.z)); }) <
-          1e-6);
+TEST_CASE("disk: uniform, and of density 1 / pi") {
+    std::vector<double> cells(16 * 32);
+    bool inside = true;
+    for_numbers([&](Vec2 u, Real) {
+        const Vec2 d = sample_uniform_disk(u);
+        const double r2 = square(d.x) + square(d.y);
+        inside &= r2 <= 1 + 1e-6;
+        ++cells[static_cast<size_t>(slot(r2, 16) * 32 + slot(turn_of(d.x, d.y), 32))];
+    });
+    CHECK(inside);
+    CHECK(chi2_test_uniform(cells).p_value > kLevel);
+    CHECK(uniform_disk_pdf() * kPi == doctest::Approx(1));
 }
 
-TEST_CASE("a tiny cone keeps its precision") {
-    const Real cone = Real(1e-10);  // half angle 1.4e-5
-    double mean_share = 0;
-    for (int i = 0; i < 10000; ++i) {
-        const Vec3 d = sample_uniform_cone(uniform2(i), cone);
-        const double r = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y));
-        CHECK(r <= std::sqrt(2e-10) * 1.0001);
-        mean_share += r * r / 2e-10 / 10000;  // uniform in the square of the radius
+TEST_CASE("triangle: uniform") {
+    constexpr int kSide = 20;
+    std::vector<double> cells(kSide * kSide), expected(kSide * kSide);
+    bool inside = true;
+    for_numbers([&](Vec2 u, Real) {
+        const Vec2 p = sample_uniform_triangle(u);
+        inside &= p.x >= 0 && p.y >= 0 && p.x + p.y <= Real(1.000001);
+        ++cells[static_cast<size_t>(slot(p.x, kSide) * kSide + slot(p.y, kSide))];
+    });
+    for (int x = 0; x < kSide; ++x)
+        for (int y = 0; x + y < kSide; ++y)
+            expected[static_cast<size_t>(x * kSide + y)] =
+                kSamples * (x + y == kSide - 1 ? 1.0 : 2.0) / (kSide * kSide);
+    CHECK(inside);
+    // A point on the hypotenuse may round into the next cell.
+    const Chi2 chi2 = chi2_test(cells, expected);
+    CHECK(chi2.p_value > kLevel);
+    CHECK(chi2.impossible < 5);
+}
+
+TEST_CASE("ball: uniform in volume") {
+    std::vector<double> cells(8 * 8 * 8);
+    for_numbers([&](Vec2 u, Real u3) {
+        const Vec3 p = sample_uniform_ball(u, u3);
+        const double r = std::sqrt(square(p.x) + square(p.y) + square(p.z));
+        const int i = slot(r * r * r, 8), j = slot((p.z / r + 1) / 2, 8),
+                  k = slot(turn_of(p.x, p.y), 8);
+        ++cells[static_cast<size_t>((i * 8 + j) * 8 + k)];
+    });
+    CHECK(chi2_test_uniform(cells).p_value > kLevel);
+}
+
+TEST_CASE("hemisphere by the cosine, hemisphere, sphere") {
+    check_directions(
+        1, [](Vec2 u, Real) { return sample_cosine_hemisphere(u); },
+        [](Vec3 d) { return cosine_hemisphere_pdf(d.z); });
+    check_directions(
+        1, [](Vec2 u, Real) { return sample_uniform_hemisphere(u); },
+        [](Vec3) { return uniform_hemisphere_pdf(); });
+    check_directions(
+        2, [](Vec2 u, Real) { return sample_uniform_sphere(u); },
+        [](Vec3) { return uniform_sphere_pdf(); });
+}
+
+TEST_CASE("cone: uniform at any width") {
+    for (const double cone : {1.9, 1.0, 0.5, 0.01, 1e-6, 1e-12, 1e-20}) {
+        CAPTURE(cone);
+        const Real width = static_cast<Real>(cone);
+        check_directions(
+            cone, [&](Vec2 u, Real) { return sample_uniform_cone(u, width); },
+            [&](Vec3) { return uniform_cone_pdf(width); });
     }
-    CHECK(mean_share == doctest::Approx(0.5).epsilon(0.02));
 }
 
-TEST_CASE("the metal's lobe: a point in a ball around the axis, seen from the origin") {
-    for (const double radius : {0.05, 0.3, 0.7, 1.0}) {
+TEST_CASE("the lobe of fuzzy metal at any radius") {
+    const Vec3 axis = normalize(Vec3{Real(0.3), Real(-0.5), Real(0.7)});
+    for (const double radius : {0.01, 0.1, 0.5, 0.9, 1.0}) {
         CAPTURE(radius);
-        const auto r = static_cast<Real>(radius);
-        const Vec3 axis = normalize(Vec3(Double3(0.3, -0.5, 0.8)));
-        SphereBins bins;
-        // The density falls steeply at the rim: cells small enough for the midpoint rule.
-        if (radius < 0.5) bins = {160, 320};
-        CHECK(p_of([&](int i) { return sample_fuzz_lobe(axis, r, uniform2(i), uniform1(i)); },
-                   [&](const Vec3& d) { return static_cast<double>(fuzz_lobe_pdf(axis, r, d)); },
-                   bins) > sidak(kTests));
+        const Real r = static_cast<Real>(radius);
+        const double depth = 1 - std::sqrt(1 - radius * radius);
+        check_directions(
+            depth, [&](Vec2 u, Real u3) { return sample_fuzz_lobe(axis, r, u, u3); },
+            [&](Vec3 d) { return fuzz_lobe_pdf(axis, r, d); }, axis);
     }
 }
 
-TEST_CASE("disk and triangle are uniform") {
-    std::vector<double> disk(400, 0), triangle(400, 0), disk_expected(400, 0),
-        triangle_expected(400, 0);
-    const auto cell = [](double x, double y) {
-        return static_cast<size_t>(std::clamp(static_cast<int>(x * 20), 0, 19) * 20 +
-                                   std::clamp(static_cast<int>(y * 20), 0, 19));
-    };
-    for (int i = 0; i < kSamples; ++i) {
-        const Vec2 d = sample_uniform_disk(uniform2(i)), t = sample_uniform_triangle(uniform2(i));
-        disk[cell((static_cast<double>(d.x) + 1) / 2, (static_cast<double>(d.y) + 1) / 2)] += 1;
-        triangle[cell(static_cast<double>(t.x), static_cast<double>(t.y))] += 1;
-    }
-    constexpr int kGrid = 2000;
-    double in_disk = 0, in_triangle = 0;
-    for (int i = 0; i < kGrid; ++i)
-        for (int j = 0; j < kGrid; ++j) {
-            const double x = (i + 0.5) / kGrid, y = (j + 0.5) / kGrid;
-            if (std::hypot(2 * x - 1, 2 * y - 1) <= 1) disk_expected[cell(x, y)] += 1, ++in_disk;
-            if (x + y <= 1) triangle_expected[cell(x, y)] += 1, ++in_triangle;
+TEST_CASE("the numbers at the rim of the square make unit directions") {
+    const Real one = unit_real(0xffffffffu);
+    for (const Real x : {Real(0), one}) {
+        for (const Real y : {Real(0), one}) {
+            for (const Vec3 d :
+                 {sample_cosine_hemisphere({x, y}), sample_uniform_hemisphere({x, y}),
+                  sample_uniform_sphere({x, y}), sample_uniform_cone({x, y}, Real(0.5)),
+                  sample_fuzz_lobe({0, 0, 1}, 1, {x, y}, one)})
+                CHECK(length(d) == doctest::Approx(1).epsilon(1e-5));
+            CHECK(length(sample_uniform_ball({x, y}, one)) <= Real(1.00001));
         }
-    for (size_t i = 0; i < 400; ++i) {
-        disk_expected[i] *= kSamples / in_disk;
-        triangle_expected[i] *= kSamples / in_triangle;
     }
-    CHECK(chi2_p_value(disk, disk_expected) > sidak(kTests));
-    CHECK(chi2_p_value(triangle, triangle_expected) > sidak(kTests));
-}
-
-TEST_CASE("the ball is uniform: the cube of the radius is") {
-    std::vector<double> observed(50, 0), expected(50, kSamples / 50.0);
-    for (int i = 0; i < kSamples; ++i) {
-        const double r = static_cast<double>(length(sample_uniform_ball(uniform2(i), uniform1(i))));
-        observed[static_cast<size_t>(std::min(49.0, r * r * r * 50))] += 1;
-    }
-    CHECK(chi2_p_value(observed, expected) > sidak(kTests));
-}
-
-TEST_CASE("AC-F3: mean cosines tell the scatter rules apart") {
-    const auto moments = [](ScatterRule rule) {
-        double mean = 0, square = 0;
-        const Vec3 normal = normalize(Vec3(Double3(0.2, 0.9, -0.4)));
-        constexpr int n = 2000000;
-        for (int i = 0; i < n; ++i) {
-            const double c = static_cast<double>(
-                dot(lambertian_sample_by_rule(rule, Vec3(1), normal, uniform2(i), uniform1(i)).wi,
-                    normal));
-            mean += c / n;
-            square += c * c / n;
-        }
-        return std::pair{mean, square};
-    };
-    const auto [mean, square] = moments(ScatterRule::Cosine);
-    CHECK(std::abs(mean - 2.0 / 3) < 0.0005);
-    CHECK(std::abs(square - 0.5) < 0.0005);
-    CHECK(std::abs(moments(ScatterRule::CosineCubed).first - 0.8) < 0.0005);
-    CHECK(std::abs(moments(ScatterRule::Hemisphere).first - 0.5) < 0.0005);
 }

@@ -1,126 +1,177 @@
-// Goodness of fit of samples to a density: Pearson's chi-squared over bins of the sphere or plane.
+// Chi-squared tests of samplers against their densities: a grid of cells over directions, the
+// density's integral per cell, cells that expect little pooled, a p-value.
 #pragma once
+
+#include <teapath/core/frame.h>
+#include <teapath/core/tea.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace tp::test {
 
-/// Upper tail of the chi-squared distribution: the regularised incomplete gamma function
-/// Q(k / 2, x / 2), by series or continued fraction (Abramowitz and Stegun 6.5.29, 6.5.31).
-inline double chi2_tail(double x, double k) {
-    const double a = k / 2, y = x / 2;
-    if (y <= 0) return 1;
-    const double front = std::exp(-y + a * std::log(y) - std::lgamma(a));
-    if (y < a + 1) {
+/// The upper regularised incomplete gamma function Q(a, x): series below, continued fraction above
+/// x = a + 1.
+inline double incomplete_gamma_q(double a, double x) {
+    if (x <= 0) return 1;
+    const double scale = std::exp(a * std::log(x) - x - std::lgamma(a));
+    if (x < a + 1) {
         double term = 1 / a, sum = term;
-        for (int n = 1; n < 10000 && term > sum * 1e-15; ++n)
-            sum += term *= y / (a + n);
-        return 1 - front * sum;
+        for (int n = 1; n < 100000 && term > sum * 1e-15; ++n)
+            sum += term *= x / (a + n);
+        return 1 - scale * sum;
     }
-    double b = y + 1 - a, c = 1e300, d = 1 / b, h = d;
-    for (int n = 1; n < 10000; ++n) {
-        const double an = -n * (n - a);
+    // Lentz's algorithm.
+    double b = x + 1 - a, c = 1e300, d = 1 / b, fraction = d;
+    for (int n = 1; n < 100000; ++n) {
+        const double numerator = -n * (n - a);
         b += 2;
-        d = 1 / (an * d + b);
-        c = b + an / c;
-        const double delta = d * c;
-        h *= delta;
-        if (std::abs(delta - 1) < 1e-15) break;
+        d = 1 / (numerator * d + b);
+        c = b + numerator / c;
+        fraction *= c * d;
+        if (std::abs(c * d - 1) < 1e-15) break;
     }
-    return front * h;
+    return scale * fraction;
 }
 
-/// p-value of observed counts against expected ones; bins that expect few are pooled.
-inline double chi2_p_value(const std::vector<double>& observed,
-                           const std::vector<double>& expected) {
-    constexpr double kFewest = 8;
-    std::vector<size_t> order(observed.size());
+/// How often chi squared with `degrees` degrees of freedom is at least `chi2`.
+inline double chi2_p_value(double chi2, int degrees) {
+    return degrees <= 0 ? 1 : incomplete_gamma_q(degrees / 2.0, chi2 / 2);
+}
+
+/// The level of each of `tests` independent tests that all pass with probability 1 - `level`.
+inline double sidak(double level, int tests) {
+    return 1 - std::pow(1 - level, 1.0 / tests);
+}
+
+struct Chi2 {
+    double statistic = 0;
+    int degrees = -1;
+    double p_value = 0;
+    double impossible = 0;  // samples where the density is zero
+};
+
+/// Observed counts against expected ones. Cells are pooled, smallest first, until each pool expects
+/// at least `least`.
+inline Chi2 chi2_test(const std::vector<double>& observed, const std::vector<double>& expected,
+                      double least = 5) {
+    std::vector<size_t> order(expected.size());
     for (size_t i = 0; i < order.size(); ++i)
         order[i] = i;
     std::sort(order.begin(), order.end(),
               [&](size_t a, size_t b) { return expected[a] < expected[b]; });
-    double statistic = 0, pooled_observed = 0, pooled_expected = 0;
-    int bins = 0;
+    Chi2 result;
+    double pool_observed = 0, pool_expected = 0;
     for (const size_t i : order) {
-        pooled_observed += observed[i];
-        pooled_expected += expected[i];
-        if (pooled_expected < kFewest) continue;
-        statistic += (pooled_observed - pooled_expected) * (pooled_observed - pooled_expected) /
-                     pooled_expected;
-        ++bins;
-        pooled_observed = pooled_expected = 0;
+        if (expected[i] <= 0) {
+            result.impossible += observed[i];
+            continue;
+        }
+        pool_observed += observed[i];
+        pool_expected += expected[i];
+        if (pool_expected < least) continue;
+        const double difference = pool_observed - pool_expected;
+        result.statistic += difference * difference / pool_expected;
+        ++result.degrees;
+        pool_observed = pool_expected = 0;
     }
-    // What cannot happen must not: anything left over that was expected nowhere fails.
-    if (pooled_expected < 1e-9 && pooled_observed > 0) return 0;
-    return bins > 1 ? chi2_tail(statistic, bins - 1) : 1;
+    result.p_value = chi2_p_value(result.statistic, result.degrees);
+    return result;
 }
 
-/// A grid of equal-area cells over the sphere: `rows` in z, `columns` in azimuth.
-struct SphereBins {
-    int rows = 20, columns = 40;
+/// Chi squared of cells that are all alike.
+inline Chi2 chi2_test_uniform(const std::vector<double>& observed) {
+    double sum = 0;
+    for (const double n : observed)
+        sum += n;
+    const std::vector<double> expected(observed.size(), sum / double(observed.size()));
+    return chi2_test(observed, expected);
+}
 
-    size_t count() const { return static_cast<size_t>(rows) * static_cast<size_t>(columns); }
-    template <class Vector>
-    size_t bin_of(const Vector& d) const {
-        const int row =
-            std::clamp(static_cast<int>((static_cast<double>(d.z) + 1) / 2 * rows), 0, rows - 1);
-        const double azimuth =
-            std::atan2(static_cast<double>(d.y), static_cast<double>(d.x)) / 6.283185307179586 +
-            0.5;
-        const int column = std::clamp(static_cast<int>(azimuth * columns), 0, columns - 1);
-        return static_cast<size_t>(row) * static_cast<size_t>(columns) +
-               static_cast<size_t>(column);
+/// Cells of equal solid angle over the cap of directions d with 1 - dot(axis, d) < depth: depth 2
+/// is the sphere, 1 the hemisphere. Depth, not height, keeps its precision in a tiny cap.
+class DirectionGrid {
+public:
+    DirectionGrid(Vec3 axis, double depth, int rows = 16, int columns = 32)
+        : frame_(frame_around(axis)), depth_(depth), rows_(rows), columns_(columns) {}
+
+    /// Number of cells in the cap; as an index, what lies outside of it.
+    size_t outside() const { return static_cast<size_t>(rows_ * columns_); }
+
+    size_t cell(Vec3 direction) const {
+        const Double3 d(direction);
+        const double x = glm::dot(d, Double3(frame_.x)), y = glm::dot(d, Double3(frame_.y)),
+                     z = glm::dot(d, Double3(frame_.z));
+        const double depth = z > 0 ? (x * x + y * y) / (1 + z) : 1 - z;
+        double turn = std::atan2(y, x) / (2 * 3.14159265358979323846);
+        if (turn < 0) turn += 1;
+        // Rounding may carry a sample over the rim of the cap by a few parts in a million.
+        if (depth > depth_ * (1 + 4e-6)) return outside();
+        const int row = std::min(static_cast<int>(depth / depth_ * rows_), rows_ - 1);
+        const int column = std::min(static_cast<int>(turn * columns_), columns_ - 1);
+        return static_cast<size_t>(row * columns_ + column);
     }
-    /// The integral of `pdf` over each cell, by the midpoint rule on `steps`^2 points.
-    template <class Vector>
-    std::vector<double> integrate(const std::function<double(const Vector&)>& pdf,
-                                  int steps = 24) const {
-        std::vector<double> mass(count(), 0);
-        const double cell = 12.566370614359172 / static_cast<double>(count()) / (steps * steps);
-        for (int i = 0; i < rows * steps; ++i) {
-            const double z = -1 + 2 * (i + 0.5) / (rows * steps), r = std::sqrt(1 - z * z);
-            for (int j = 0; j < columns * steps; ++j) {
-                const double phi = ((j + 0.5) / (columns * steps) - 0.5) * 6.283185307179586;
-                Vector d;
-                d.x = static_cast<decltype(d.x)>(r * std::cos(phi));
-                d.y = static_cast<decltype(d.x)>(r * std::sin(phi));
-                d.z = static_cast<decltype(d.x)>(z);
-                mass[static_cast<size_t>(i / steps) * static_cast<size_t>(columns) +
-                     static_cast<size_t>(j / steps)] += pdf(d) * cell;
+
+    /// The integral over each cell of f(direction), a function over solid angle.
+    template <class F>
+    std::vector<double> integrate(F&& f, int steps = 24) const {
+        std::vector<double> cells(outside());
+        const double area = depth_ / rows_ * (2 * 3.14159265358979323846 / columns_);
+        for (int row = 0; row < rows_ * steps; ++row) {
+            for (int column = 0; column < columns_ * steps; ++column) {
+                const Vec3 d =
+                    direction((row + 0.5) / (rows_ * steps), (column + 0.5) / (columns_ * steps));
+                const int cell = row / steps * columns_ + column / steps;
+                cells[static_cast<size_t>(cell)] += double(f(d)) * area / (steps * steps);
             }
         }
-        return mass;
+        return cells;
     }
+
+private:
+    Vec3 direction(double row, double column) const {
+        const double depth = row * depth_, angle = column * 2 * 3.14159265358979323846;
+        const double r = std::sqrt(depth * (2 - depth));
+        return frame_.to_world({static_cast<Real>(r * std::cos(angle)),
+                                static_cast<Real>(r * std::sin(angle)),
+                                static_cast<Real>(1 - depth)});
+    }
+
+    Frame frame_;
+    double depth_;
+    int rows_, columns_;
 };
 
-/// p-value of directions from `sample` (called `n` times) against `pdf` over solid angle; `sample`
-/// may return a zero vector for an absorbed sample, whose share is what the pdf lacks to 1.
-template <class Vector>
-double chi2_directions(const std::function<Vector(int)>& sample,
-                       const std::function<double(const Vector&)>& pdf, int n,
-                       SphereBins bins = {}) {
-    std::vector<double> observed(bins.count() + 1, 0), expected = bins.integrate<Vector>(pdf);
-    double total = 0;
-    for (const double mass : expected)
-        total += mass;
-    expected.push_back(std::max(0.0, 1 - total));
-    for (double& mass : expected)
-        mass *= n;
-    for (int i = 0; i < n; ++i) {
-        const Vector d = sample(i);
-        const bool absorbed = d.x == 0 && d.y == 0 && d.z == 0;
-        observed[absorbed ? bins.count() : bins.bin_of(d)] += 1;
+/// `samples` directions of sample(u, u3) against pdf(direction). A sample of length zero was
+/// absorbed; it and what the grid leaves out make up what the density lacks to 1, which is returned
+/// in `lost` as (counted share, expected share).
+template <class Sample, class Pdf>
+Chi2 chi2_test_directions(const DirectionGrid& grid, uint32_t samples, Sample&& sample, Pdf&& pdf,
+                          double (*lost)[2] = nullptr) {
+    std::vector<double> observed(grid.outside() + 1);
+    const TeaKey key = tea_key(0, 20);
+    for (uint32_t i = 0; i < samples; ++i) {
+        const TeaBlock a = tea_encrypt<8>({i, 0}, key), b = tea_encrypt<8>({i, 1}, key);
+        const Vec3 d = sample(Vec2{unit_real(a.v0), unit_real(a.v1)}, unit_real(b.v0));
+        ++observed[is_black(d) ? grid.outside() : grid.cell(d)];
     }
-    return chi2_p_value(observed, expected);
-}
-
-/// The p-value below which one of `tests` independent tests may be taken to fail, at 0.1 % over all
-/// (Sidak).
-inline double sidak(int tests) {
-    return 1 - std::pow(1 - 0.001, 1.0 / tests);
+    std::vector<double> expected = grid.integrate(pdf);
+    double sum = 0;
+    for (double& n : expected) {
+        sum += n;
+        n *= samples;
+    }
+    const double rest = 1 - sum;
+    if (lost) {
+        (*lost)[0] = observed.back() / samples;
+        (*lost)[1] = rest;
+    }
+    // What is left by the error of integration alone is no cell.
+    expected.push_back(rest > 1e-3 ? rest * samples : 0);
+    return chi2_test(observed, expected);
 }
 
 }  // namespace tp::test
