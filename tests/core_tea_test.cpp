@@ -86,12 +86,6 @@ TeaBlock straight_line(const TeaBlock& b, const TeaKey& key, int rounds) {
     }
 }
 
-// The linear congruential generator that OptiX samples seed by tea<N>(a, b): 24 bits per draw.
-uint32_t lcg_draw(uint32_t& state) {
-    state = 1664525u * state + 1013904223u;
-    return state & 0xffffffu;
-}
-
 int distance(const TeaKey& a, const TeaKey& b) {
     return std::popcount(a.k0 ^ b.k0) + std::popcount(a.k1 ^ b.k1) + std::popcount(a.k2 ^ b.k2) +
            std::popcount(a.k3 ^ b.k3);
@@ -287,19 +281,18 @@ TEST_CASE("the first words of two devices' streams") {
     CHECK(tea_encrypt<8>({1, 0}, second) == TeaBlock{0xedd5d3fa, 0x116cb752});
 }
 
-TEST_CASE("the same words as OptiX's tea and its congruential generator") {
-    uint32_t state = tea_encrypt({0, 0}, tea_initial_key(), 16).v0;
-    CHECK(state == 0x741c187d);
+TEST_CASE("the numbers of the OptiX SDK's samples") {
+    OptixRandom zero(tea_encrypt({0, 0}, tea_initial_key(), 16).v0);
+    CHECK(zero.state == 0x741c187d);
     for (const uint32_t expected : {0xd2ffb8u, 0x013fb7u, 0xc119aau, 0x10fd01u})
-        CHECK(lcg_draw(state) == expected);
-    state = tea_encrypt({12345, 7}, tea_initial_key(), 4).v0;
-    CHECK(state == 0x75130546);
+        CHECK(zero.next_bits() == expected);
+    OptixRandom pixel(tea_encrypt({12345, 7}, tea_initial_key(), 4).v0);
+    CHECK(pixel.state == 0x75130546);
     for (const uint32_t expected : {0x561bedu, 0x13cc68u, 0x09c4a7u, 0x9779dau})
-        CHECK(lcg_draw(state) == expected);
+        CHECK(pixel.next_bits() == expected);
 }
 
-TEST_CASE(
-    "AC-T6: pixels' numbers are white from 6 rounds on, and at 4 the test says they are not") {
+TEST_CASE("AC-T6: pixels' numbers are white from 6 rounds on; at 4 the test finds otherwise") {
     CHECK(is_white(6));
     CHECK(is_white(8));
     CHECK_FALSE(is_white(4));

@@ -1,45 +1,54 @@
-// Owen-scrambled Sobol points in two dimensions, by hashing (Burley, "Practical Hash-based Owen
-// Scrambling", JCGT 9(4), 2020). Each pair of dimensions is such a set of its own, shuffled against
-// the others; TEA makes the seeds.
+// Points of the two-dimensional Sobol sequence, Owen-scrambled by hashing (Burley, "Practical
+// Hash-based Owen Scrambling", JCGT 9(4), 2020). The points of one seed with the indices of any
+// aligned block of 2^k are a (0, k, 2)-net: each box of area 2^-k whose sides are powers of 1/2
+// holds one.
 #pragma once
 
-#include <teapath/core/tea.h>
+#include <teapath/core/host_device.h>
+
+#include <cstdint>
 
 namespace tp {
 
-/// A hash whose bit i depends on bits 0 to i alone, as nested scrambling of reversed bits needs
-/// (after Laine and Karras, "Stratified Sampling for Stochastic Transparency", 2011; only even
-/// multipliers inside the xor keep the property).
-TP_HD uint32_t nested_hash(uint32_t x, uint32_t seed) {
+struct SobolPoint {
+    uint32_t x = 0, y = 0;  // fractions of 2^32
+};
+
+/// What a sequence is scrambled by: the order of its points and both of their coordinates.
+struct SobolSeed {
+    uint32_t order = 0, x = 0, y = 0;
+};
+
+/// A hash in which a bit depends on the seed and on the bits below it alone: on reversed bits, a
+/// nested uniform scramble. Of the form of Laine and Karras ("Stratified Sampling for Stochastic
+/// Transparency", 2011) with Vegdahl's steps and constants ("Building a Better LK Hash", 2021).
+TP_HD uint32_t scramble_reversed(uint32_t reversed, uint32_t seed) {
+    uint32_t x = reversed;
+    x ^= x * 0x3d20adeau;
     x += seed;
-    x ^= x * 0x6c50b47cu;
-    x ^= x * 0xb82f1e52u;
-    x ^= x * 0xc7afe638u;
-    x ^= x * 0x8d22f6e6u;
+    x *= (seed >> 16) | 1;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
     return x;
 }
 
-/// Owen's nested uniform scramble: each bit is flipped as the bits above it and the seed say.
-TP_HD uint32_t nested_scramble(uint32_t x, uint32_t seed) {
-    return reverse_bits(nested_hash(reverse_bits(x), seed));
+/// The second coordinate of point `index` with its bits reversed: the product of the index and
+/// Pascal's triangle modulo 2. By Lucas' theorem the triangle is a tensor power of one of 2 x 2,
+/// so that five steps suffice.
+TP_HD uint32_t pascal_product(uint32_t index) {
+    uint32_t x = index;
+    x ^= (x >> 16) & 0x0000ffffu;
+    x ^= (x >> 8) & 0x00ff00ffu;
+    x ^= (x >> 4) & 0x0f0f0f0fu;
+    x ^= (x >> 2) & 0x33333333u;
+    return x ^ ((x >> 1) & 0x55555555u);
 }
 
-/// The second dimension of Sobol's sequence: rows of Pascal's triangle modulo 2, highest bit first.
-TP_HD uint32_t sobol_second(uint32_t index) {
-    uint32_t out = 0;
-    for (uint32_t column = 0x80000000u; index != 0; index >>= 1, column ^= column >> 1)
-        if (index & 1) out ^= column;
-    return out;
-}
-
-/// Point `index` of the set that `seeds` names: two words with 32 bits each.
-TP_HD TeaBlock sobol_point(uint32_t index, const TeaBlock& seeds) {
-    const uint32_t shuffled = nested_scramble(index, seeds.v0);
-    // Three seeds out of two words.
-    const uint32_t seed_x = seeds.v1,
-                   seed_y = seeds.v0 * 0x9e3779b1u ^ (seeds.v1 >> 15 | seeds.v1 << 17);
-    return {nested_scramble(reverse_bits(shuffled), seed_x),
-            nested_scramble(sobol_second(shuffled), seed_y)};
+/// Point `index` of the sequence of `seed`.
+TP_HD SobolPoint sobol_point(uint32_t index, const SobolSeed& seed) {
+    const uint32_t shuffled = reverse_bits(scramble_reversed(reverse_bits(index), seed.order));
+    return {reverse_bits(scramble_reversed(shuffled, seed.x)),
+            reverse_bits(scramble_reversed(pascal_product(shuffled), seed.y))};
 }
 
 }  // namespace tp
