@@ -162,10 +162,11 @@ TEST_CASE("hits lie on the surface, and leaving rays do not meet it again") {
 }
 
 TEST_CASE("offsets hold for large and for far-off spheres") {
-    for (const auto& [center, radius] : {std::pair{Vec3(0, -1000, 0), Real(1000)},
-                                         {Vec3(1000, 500, -2000), Real(0.5)},
-                                         {Vec3(0, 0, 0), Real(1e-3)},
-                                         {Vec3(0, -1e5f, 0), Real(1e5)}}) {
+    for (const auto& [center, size] : {std::pair{Vec3(0, -1000, 0), Real(1000)},
+                                       {Vec3(1000, 500, -2000), Real(0.5)},
+                                       {Vec3(0, 0, 0), Real(1e-3)},
+                                       {Vec3(0, -1e5f, 0), Real(1e5)}}) {
+        const Real radius = size;  // a structured binding cannot be captured
         int again = 0;
         for (int i = 0; i < 100000; ++i) {
             const Sphere s{center, radius};

@@ -65,12 +65,13 @@ Lookup lookup(const Texture& t) {
 TEST_CASE("T18: wrap, clamp and mirror at the edges, nearest and bilinear") {
     Texture t = ramp();
     t.filter = FilterMode::Nearest;
-    for (const auto& [u, repeat, clamp, mirror] : {std::tuple{-0.1, 3, 0, 0},
-                                                   {0.1, 0, 0, 0},
-                                                   {0.9, 3, 3, 3},
-                                                   {1.1, 0, 3, 3},
-                                                   {1.4, 1, 3, 2},
-                                                   {-1.1, 3, 0, 3}}) {
+    for (const auto& [at, repeat, clamp, mirror] : {std::tuple{-0.1, 3, 0, 0},
+                                                    {0.1, 0, 0, 0},
+                                                    {0.9, 3, 3, 3},
+                                                    {1.1, 0, 3, 3},
+                                                    {1.4, 1, 3, 2},
+                                                    {-1.1, 3, 0, 3}}) {
+        const double u = at;  // a structured binding cannot be captured
         CAPTURE(u);
         t.wrap = WrapMode::Repeat;
         CHECK(lookup(t).at(u, 0.5).x == repeat);
