@@ -79,7 +79,7 @@ void add_options(CLI::App& parser, Words& words) {
     add("--camera", words.camera, "NAME", "One of the scene's cameras");
     add_many(
         "--set", words.settings, "PATH=VALUE",
-        "Any setting of the scene, as in render.path.sampler=sobol; may be given several times");
+        "Any setting of the scene, as in render.sampler=sobol; may be given several times");
     add("--backend", words.backend, "auto|cuda|host",
         "Where to render (auto: CUDA where it works)");
     add("--device", words.device, "N", "Number of the CUDA device; teapath info lists them");

@@ -42,14 +42,18 @@ public:
         return static_cast<int32_t>(arrays_.textures.size()) - 1;
     }
 
-    bool has_alpha(const TexturedColor& c, int nesting = 0) const {
+    bool has_alpha(const TexturedColor& c) {
         const auto found = index_.find(c.texture.value);
-        if (!c.texture || found == index_.end() || nesting > 64) return false;
+        if (!c.texture || found == index_.end()) return false;
+        // Each texture is looked into once, however many checkers share it.
+        const auto [known, is_new] = alpha_.try_emplace(c.texture.value, false);
+        if (!is_new) return known->second;
         const Texture& texture = scene_.textures[static_cast<size_t>(found->second)];
-        if (texture.kind == TextureKind::Checker)
-            return has_alpha(texture.even, nesting + 1) || has_alpha(texture.odd, nesting + 1);
-        return texture.kind == TextureKind::Image && texture.file.image &&
-               texture.file.image->channels % 2 == 0;
+        const bool alpha = texture.kind == TextureKind::Checker
+                               ? has_alpha(texture.even) || has_alpha(texture.odd)
+                               : texture.kind == TextureKind::Image && texture.file.image &&
+                                     texture.file.image->channels % 2 == 0;
+        return alpha_[c.texture.value] = alpha;
     }
 
 private:
@@ -104,6 +108,7 @@ private:
     SceneArrays& arrays_;
     std::unordered_map<uint32_t, int32_t> index_;
     std::unordered_map<const Image*, uint64_t> offsets_;
+    std::unordered_map<uint32_t, bool> alpha_;
 };
 
 MaterialRecord record_of(const Material& m, const TexturePacker& textures) {

@@ -51,32 +51,72 @@ public:
     explicit DuplicateCheck(const std::string& name) : name_(name) {}
 
     bool operator()(int, Json::parse_event_t event, Json& parsed) {
-        if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-        if (event == Json::parse_event_t::object_end) keys_.pop_back();
-        if (event == Json::parse_event_t::key &&
-            !keys_.back().insert(parsed.get<std::string>()).second)
-            throw Error(
-                ErrorKind::Input,
-                fmt::format("the key \"{}\" stands twice in one object", parsed.get<std::string>()),
-                name_, "remove one of them");
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) levels_.emplace_back();
+        if (event == Event::object_end || event == Event::array_end) {
+            levels_.pop_back();
+            count_element();
+        }
+        if (event == Event::value) count_element();
+        if (event == Event::key) {
+            Level& level = levels_.back();
+            level.key = parsed.get<std::string>();
+            if (!level.keys.insert(level.key).second)
+                throw Error(ErrorKind::Input,
+                            fmt::format("the key \"{}\" stands twice in one object", level.key),
+                            name_ + ": " + path(), "remove one of them");
+        }
         return true;
     }
 
 private:
+    // An open object with its keys so far, or an open list with the number of elements.
+    struct Level {
+        std::set<std::string> keys;
+        std::string key;
+        size_t count = 0;
+    };
+
+    void count_element() {
+        if (!levels_.empty()) ++levels_.back().count;
+    }
+
+    std::string path() const {
+        std::string path;
+        for (const Level& level : levels_) {
+            if (level.keys.empty())
+                path += fmt::format("[{}]", level.count);
+            else
+                path += (path.empty() ? "" : ".") + level.key;
+        }
+        return path;
+    }
+
     const std::string& name_;
-    std::vector<std::set<std::string>> keys_;
+    std::vector<Level> levels_;
 };
+
+// What the parser says of a number that is out of range ends in the number: "… 'parsing '1e400'".
+std::string number_in(const std::string& message) {
+    const size_t last = message.rfind('\'');
+    const size_t first = last == std::string::npos ? last : message.rfind('\'', last - 1);
+    return first == std::string::npos ? std::string() : message.substr(first + 1, last - first - 1);
+}
+
+// A string or number as JSON; bytes that are no UTF-8 become the replacement character.
+std::string plain(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 // One line, with a space after commas and colons.
 std::string spaced(const Json& json) {
-    if (!json.is_structured()) return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    if (!json.is_structured()) return plain(json);
     std::string text = json.is_object() ? "{" : "[";
     bool first = true;
     for (const auto& [key, value] : json.items()) {
         if (!first) text += ", ";
         first = false;
-        if (json.is_object())
-            text += Json(key).dump(-1, ' ', false, Json::error_handler_t::replace) + ": ";
+        if (json.is_object()) text += plain(key) + ": ";
         text += spaced(value);
     }
     return text + (json.is_object() ? "}" : "]");
@@ -96,9 +136,15 @@ Json parse_json(std::string_view text, const std::string& name) {
                     fmt::format("this is not valid JSON at {}", place_of(text, error.byte)), name,
                     "look for a missing comma, quote or bracket just before; NaN and infinity are "
                     "not JSON");
-    } catch (const Json::out_of_range&) {
-        throw Error(ErrorKind::Input, "a number is too large to be represented", name,
-                    "numbers stay below 1e308");
+    } catch (const Json::out_of_range& error) {
+        const std::string number = number_in(error.what());
+        const size_t at = text.find(number);
+        throw Error(ErrorKind::Input,
+                    fmt::format("the number {} is too large{}", number,
+                                at == std::string_view::npos || number.empty()
+                                    ? ""
+                                    : " at " + place_of(text, at + 1)),
+                    name, "numbers stay below 1e308");
     }
 }
 
@@ -115,7 +161,7 @@ std::string pretty_json(const Json& json, int indent) {
         text += first ? "\n" : ",\n";
         first = false;
         text += pad;
-        if (json.is_object()) text += Json(key).dump() + ": ";
+        if (json.is_object()) text += plain(key) + ": ";
         text += pretty_json(value, indent + 2);
     }
     return text + "\n" + std::string(margin, ' ') + (json.is_object() ? "}" : "]");

@@ -1,6 +1,7 @@
 // Every key of a scene file, once: reader, writer, the list of keys and the tests all walk these
 // functions. A visitor `v` is called with the key and the field; v.kind reads or writes the key
-// that tells a union's member. A new setting is one line here and one in the schema.
+// that tells a union's member. A new setting is one line here, one in the schema and one in
+// docs/scene_format.md.
 #pragma once
 
 #include <teapath/scene/enum_tables.h>
@@ -34,7 +35,7 @@ void texture_fields(V& v, Texture& t) {
             v("frequency", t.frequency);
             break;
         case TextureKind::Image:
-            v.required("file", t.file);
+            v.image("file", t.file);
             v("wrap", t.wrap);
             v("filter", t.filter);
             v("color_space", t.color_space);
@@ -165,7 +166,7 @@ void background_fields(V& v, Background& b) {
             break;
         case BackgroundKind::Constant: v.color("color", b.color); break;
         case BackgroundKind::Image:
-            v.required("file", b.file);
+            v.image("file", b.file);
             v("color_space", b.color_space);
             v("rotation", b.rotation);
             break;
@@ -197,6 +198,7 @@ void display_fields(V& v, DisplaySettings& d) {
 
 template <class V>
 void scene_fields(V& v, Scene& s) {
+    v.schema("$schema", s.origin.schema);
     v.constant("teapath", 1);
     v("name", s.name);
     v("description", s.description);

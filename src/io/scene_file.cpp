@@ -1,4 +1,5 @@
 #include "scene_fields.h"
+#include "scene_json.h"
 #include "scene_reader.h"
 #include "scene_writer.h"
 #include "whole_file.h"
@@ -11,7 +12,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 namespace tp {
@@ -21,34 +21,56 @@ namespace fs = std::filesystem;
 
 constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 30;
 
-// Loads each image once; a missing one is a warning, and stays null.
-void load_images(Scene& scene, const fs::path& folder) {
-    std::map<std::string, std::shared_ptr<const Image>> loaded;
-    const auto load = [&](ImageFile& file) {
-        const auto [entry, is_new] = loaded.try_emplace(file.path);
-        if (is_new) {
-            try {
-                entry->second = std::make_shared<const Image>(read_image(folder / file.path));
-            } catch (const Error& error) {
-                log_warning("{}; shown as cyan", error.what());
-            }
-        }
-        file.image = entry->second;
-    };
-    for (Texture& texture : scene.textures)
-        if (texture.kind == TextureKind::Image) load(texture.file);
-    if (scene.background.kind == BackgroundKind::Image) load(scene.background.file);
+// Calls `f` with every image file that the scene shows.
+template <class SceneType, class F>
+void for_each_image(SceneType& scene, F&& f) {
+    for (auto& texture : scene.textures)
+        if (texture.kind == TextureKind::Image) f(texture.file);
+    if (scene.background.kind == BackgroundKind::Image) f(scene.background.file);
 }
 
-void check_problems(const Scene& scene, const std::string& name) {
-    for (const Problem& problem : validate(scene)) {
-        const std::string where = problem.where.empty() ? name : name + ": " + problem.where;
-        if (problem.fatal) throw Error(ErrorKind::Input, problem.what, where, problem.remedy);
-        log_warning("{}: {}", where, problem.what);
+std::shared_ptr<const Image> load_image(const Scene& scene, const std::string& path,
+                                        const std::string& name) {
+    if (path.empty()) {
+        log_warning("{}: a texture has no image yet; shown as cyan", name);
+        return nullptr;
+    }
+    try {
+        return std::make_shared<const Image>(read_image(fs::path(scene.origin.folder) / path));
+    } catch (const Error& error) {
+        log_warning("{}: {}; shown as cyan", name, error.what());
+        return nullptr;
     }
 }
 
-Scene scene_of(const Json& json, const std::string& name) {
+// A relative path from `from`, turned to start from `to`; the whole path where there is no way.
+std::string rebased(const std::string& path, const fs::path& from, const fs::path& to) {
+    if (path.empty() || fs::path(path).is_absolute() || path.find("://") != std::string::npos)
+        return path;
+    const fs::path whole = (from / path).lexically_normal();
+    const fs::path relative = whole.lexically_relative(to);
+    return (relative.empty() ? whole : relative).generic_string();
+}
+
+// The scene as it is written into a file of `folder`.
+Scene moved_to(Scene scene, const fs::path& folder) {
+    const fs::path from = scene.origin.folder;
+    if (from.empty() || from == folder) return scene;
+    scene.origin.schema = rebased(scene.origin.schema, from, folder);
+    for_each_image(scene, [&](ImageFile& file) { file.path = rebased(file.path, from, folder); });
+    return scene;
+}
+
+// The folder of a file, absolute and without detours.
+fs::path folder_of(const fs::path& file) {
+    std::error_code error;
+    fs::path folder = fs::weakly_canonical(fs::absolute(file).parent_path(), error);
+    return error ? fs::absolute(file).parent_path().lexically_normal() : folder;
+}
+
+}  // namespace
+
+Scene scene_of_json(const Json& json, const std::string& name) {
     ReadState state;
     state.file = name;
     SceneReader reader(state, json, "");
@@ -58,39 +80,42 @@ Scene scene_of(const Json& json, const std::string& name) {
     return std::move(state.scene);
 }
 
-// `scene` with the pixels that `loaded` has for the same paths.
-Scene with_images_of(const Scene& loaded, Scene scene) {
-    std::map<std::string, std::shared_ptr<const Image>> images;
-    for (const Texture& texture : loaded.textures)
-        images[texture.file.path] = texture.file.image;
-    images[loaded.background.file.path] = loaded.background.file.image;
-    const auto fill = [&](ImageFile& file) {
-        if (const auto found = images.find(file.path); found != images.end())
-            file.image = found->second;
-    };
-    for (Texture& texture : scene.textures)
-        fill(texture.file);
-    fill(scene.background.file);
-    return scene;
-}
-
-Json json_of(const Scene& scene) {
-    const WriteState state(scene);
+Json json_of_scene(const Scene& scene, bool with_defaults) {
+    const WriteState state(scene, with_defaults);
     SceneWriter writer(state);
     Scene copy = scene;
     scene_fields(writer, copy);
     Json json = writer.take();
-    for (const char* key : {"name", "description"})
-        if (json[key] == "") json.erase(key);
+    if (!with_defaults)
+        for (const char* key : {"name", "description"})
+            if (json[key] == "") json.erase(key);
     return json;
 }
 
-}  // namespace
+void check_problems(const Scene& scene, const std::string& name, bool warn) {
+    for (const Problem& problem : validate(scene)) {
+        const std::string where = problem.where.empty() ? name : name + ": " + problem.where;
+        if (problem.fatal) throw Error(ErrorKind::Input, problem.what, where, problem.remedy);
+        if (warn) log_warning("{}: {}", where, problem.what);
+    }
+}
+
+void load_images(Scene& scene, const std::string& name, const Scene* known) {
+    std::map<std::string, std::shared_ptr<const Image>> loaded;
+    if (known)
+        for_each_image(*known, [&](const ImageFile& file) { loaded[file.path] = file.image; });
+    for_each_image(scene, [&](ImageFile& file) {
+        const auto [entry, is_new] = loaded.try_emplace(file.path);
+        if (is_new) entry->second = load_image(scene, file.path, name);
+        file.image = entry->second;
+    });
+}
 
 Scene parse_scene(std::string_view text, const fs::path& folder, const std::string& name) {
-    Scene scene = scene_of(parse_json(text, name), name);
+    Scene scene = scene_of_json(parse_json(text, name), name);
+    scene.origin.folder = folder_of(folder / "scene").string();
     check_problems(scene, name);
-    load_images(scene, folder);
+    load_images(scene, name);
     return scene;
 }
 
@@ -100,52 +125,11 @@ Scene load_scene(const fs::path& file) {
 }
 
 std::string scene_text(const Scene& scene) {
-    return pretty_json(json_of(scene)) + "\n";
+    return pretty_json(json_of_scene(scene, false)) + "\n";
 }
 
 void save_scene(const Scene& scene, const fs::path& file) {
-    write_whole_file(file, scene_text(scene));
-}
-
-Scene with_setting(const Scene& scene, std::string_view path, std::string_view value) {
-    // A value is JSON; a bare word is a string.
-    Json parsed = Json::parse(value, nullptr, false);
-    if (parsed.is_discarded()) parsed = std::string(value);
-
-    Json json = json_of(scene);
-    Json* place = &json;
-    size_t start = 0;
-    for (;;) {
-        const size_t end = std::min(path.find('.', start), path.size());
-        std::string key(path.substr(start, end - start));
-        if (key.empty())
-            throw Error(ErrorKind::Usage, "the path has an empty part",
-                        fmt::format("--set {}", path), "for example render.max_depth=8");
-        if (place->is_array()) {
-            char* rest = nullptr;
-            const unsigned long index = std::strtoul(key.c_str(), &rest, 10);
-            if (*rest != '\0' || index >= place->size())
-                throw Error(ErrorKind::Usage, fmt::format("there is no element \"{}\"", key),
-                            fmt::format("--set {}", path),
-                            fmt::format("the list has {} elements, from 0", place->size()));
-            place = &(*place)[index];
-        } else if (place->is_object() || place->is_null()) {
-            place = &(*place)[key];
-        } else {
-            throw Error(ErrorKind::Usage, fmt::format("\"{}\" is inside a plain value", key),
-                        fmt::format("--set {}", path));
-        }
-        if (end == path.size()) break;
-        start = end + 1;
-    }
-    *place = std::move(parsed);
-    try {
-        Scene changed = scene_of(json, "--set " + std::string(path));
-        check_problems(changed, "--set " + std::string(path));
-        return with_images_of(scene, std::move(changed));
-    } catch (const Error& error) {
-        throw Error(ErrorKind::Usage, error.what());
-    }
+    write_whole_file(file, scene_text(moved_to(scene, folder_of(file))));
 }
 
 }  // namespace tp

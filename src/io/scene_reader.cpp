@@ -72,10 +72,8 @@ void SceneReader::fail(const std::string& path, const std::string& what,
 
 void SceneReader::finish() const {
     for (const auto& [key, value] : json_.items()) {
-        if (std::find(known_.begin(), known_.end(), key) != known_.end() ||
-            (path_.empty() && key == "$schema"))
-            continue;
-        unknown_name(path_, "key", key, known_);
+        const bool is_known = std::find(known_.begin(), known_.end(), key) != known_.end();
+        if (!is_known && key != schema_key_) unknown_name(path_, "key", key, known_);
     }
 }
 
@@ -125,7 +123,9 @@ Double3 SceneReader::color_of(const Json& json, const std::string& path) const {
     Double3 color;
     if (json.is_string() && parse_hex(json.get<std::string>(), color)) return color;
     if (!json.is_array())
-        fail(path, fmt::format("expected a colour, found {}", type_name(json)),
+        fail(path,
+             fmt::format("expected a colour, found {}",
+                         json.is_string() ? json.dump() : type_name(json)),
              "three numbers, one number for grey, or \"#rrggbb\"");
     return vector_of<Double3>(json, path);
 }
@@ -151,11 +151,12 @@ void SceneReader::operator()(const char* key, int& value) {
 void SceneReader::operator()(const char* key, uint64_t& value) {
     const Json* json = find(key);
     if (!json) return;
-    number_of(*json, path_of(key));
-    if (!json->is_number_unsigned())
-        fail(path_of(key),
-             fmt::format("expected a whole number from 0 to 2^64 - 1, found {}", json->dump()));
-    value = json->get<uint64_t>();
+    const double number = number_of(*json, path_of(key));
+    const bool is_whole = number >= 0 && number < 0x1p53 && number == std::floor(number);
+    if (!json->is_number_unsigned() && !is_whole)
+        fail(path_of(key), fmt::format("expected a whole number, found {}", json->dump()),
+             "from 0 to 18446744073709551615");
+    value = json->is_number_unsigned() ? json->get<uint64_t>() : static_cast<uint64_t>(number);
 }
 
 void SceneReader::operator()(const char* key, double& value) {
@@ -193,9 +194,11 @@ void SceneReader::operator()(const char* key, std::vector<Double4>& value) {
 void SceneReader::operator()(const char* key, TexturedColor& value) {
     const Json* json = find(key);
     if (!json) return;
-    Double3 hex;
+    // A texture may have a name that looks like a colour.
+    const std::string name = json->is_string() ? json->get<std::string>() : std::string();
     const bool is_texture =
-        json->is_object() || (json->is_string() && !parse_hex(json->get<std::string>(), hex));
+        json->is_object() ||
+        (json->is_string() && (!name.starts_with('#') || state_.texture_names.count(name)));
     if (is_texture)
         value.texture = texture_of(*json, path_of(key));
     else
@@ -213,6 +216,9 @@ void SceneReader::operator()(const char* key, MaterialId& value) {
         value = found->second;
         return;
     }
+    if (!json->is_object())
+        fail(path_of(key),
+             fmt::format("expected a material or the name of one, found {}", type_name(*json)));
     SceneReader inner(state_, *json, path_of(key));
     Material material;
     material_fields(inner, material);
@@ -222,19 +228,22 @@ void SceneReader::operator()(const char* key, MaterialId& value) {
     state_.scene.materials.push_back(std::move(material));
 }
 
-void SceneReader::operator()(const char* key, ImageFile& value) {
-    (*this)(key, value.path);
-}
-
 void SceneReader::color(const char* key, Double3& value) {
     if (const Json* json = find(key)) value = color_of(*json, path_of(key));
 }
 
-void SceneReader::required(const char* key, ImageFile& value) {
-    (*this)(key, value);
-    if (value.path.empty())
+void SceneReader::image(const char* key, ImageFile& value) {
+    const Json* json = find(key);
+    if (!json)
         fail(path_, fmt::format("the key \"{}\" is missing", key),
              "the path of an image, relative to the scene file");
+    value.path = string_of(*json, path_of(key));
+}
+
+void SceneReader::schema(const char* key, std::string& value) {
+    schema_key_ = key;
+    if (const auto found = json_.find(key); found != json_.end())
+        value = string_of(*found, path_of(key));
 }
 
 void SceneReader::glow(const char* key, bool& emits, TexturedColor& value) {
@@ -306,11 +315,11 @@ void SceneReader::cameras(Scene& scene) {
     }
     std::string active;
     (*this)("active_camera", active);
-    if (active.empty()) return;
+    if (!json_.contains("active_camera")) return;
     std::vector<std::string> names;
     for (const Camera& camera : scene.cameras) {
         if (camera.name == active) scene.active_camera = camera.id;
-        names.push_back(camera.name);
+        if (!camera.name.empty()) names.push_back(camera.name);
     }
     if (!scene.active_camera) unknown_name("active_camera", "camera", active, names);
 }
@@ -337,6 +346,10 @@ TextureId SceneReader::inline_texture(const Json& json, const std::string& path)
     return id;
 }
 
+void SceneReader::check_name(const std::string& name, const char* key) const {
+    if (name.empty()) fail(key, "a name is empty", "others refer to it by its name");
+}
+
 void SceneReader::named(const char* key, std::vector<Texture>&) {
     const Json* json = find(key);
     if (!json) return;
@@ -345,6 +358,7 @@ void SceneReader::named(const char* key, std::vector<Texture>&) {
              fmt::format("expected an object of textures by name, found {}", type_name(*json)));
     // Names first, so that a texture may use one that stands below it.
     for (const auto& [name, value] : json->items()) {
+        check_name(name, key);
         const TextureId id{static_cast<uint32_t>(state_.scene.textures.size()) + 1};
         state_.texture_names[name] = id;
         state_.scene.textures.emplace_back();
@@ -367,6 +381,7 @@ void SceneReader::named(const char* key, std::vector<Material>&) {
         fail(key,
              fmt::format("expected an object of materials by name, found {}", type_name(*json)));
     for (const auto& [name, value] : json->items()) {
+        check_name(name, key);
         SceneReader inner(state_, value, fmt::format("{}.{}", key, name));
         Material material;
         material_fields(inner, material);

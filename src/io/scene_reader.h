@@ -36,7 +36,6 @@ public:
     void operator()(const char* key, std::vector<Double4>& value);
     void operator()(const char* key, TexturedColor& value);
     void operator()(const char* key, MaterialId& value);
-    void operator()(const char* key, ImageFile& value);
 
     template <class Enum>
     requires std::is_enum_v<Enum>
@@ -45,7 +44,10 @@ public:
     }
 
     void color(const char* key, Double3& value);
-    void required(const char* key, ImageFile& value);
+    /// The path of an image; it may be empty, where none has been chosen yet.
+    void image(const char* key, ImageFile& value);
+    /// A key that editors write, and that messages do not offer.
+    void schema(const char* key, std::string& value);
     void kind(const char* key, TextureKind& value) { required_kind(key, value); }
     void kind(const char* key, MaterialKind& value) { required_kind(key, value); }
     void start_from(Material& value, const Material& standard) { value = standard; }
@@ -88,6 +90,7 @@ public:
 
 private:
     const Json* find(const char* key);
+    void check_name(const std::string& name, const char* key) const;
     std::string path_of(const char* key) const { return path_.empty() ? key : path_ + "." + key; }
     [[noreturn]] void fail(const std::string& path, const std::string& what,
                            const std::string& remedy = {}) const;
@@ -127,6 +130,7 @@ private:
     const Json& json_;
     std::string path_;
     std::vector<std::string> known_;  // keys asked for so far
+    std::string schema_key_;          // taken, but not offered in messages
 };
 
 }  // namespace tp

@@ -11,26 +11,30 @@
 namespace tp {
 namespace {
 
-// Counts how often each anonymous thing is used; what is used twice needs a name.
-template <class Id>
-void give_names(std::map<Id, std::string>& names, const std::map<Id, int>& uses, const char* word) {
+// A name for each thing that has one or needs one; the second of a name gets a number.
+template <class Thing, class Id, class Needs>
+void give_names(std::map<Id, std::string>& names, const std::vector<Thing>& things,
+                const char* word, Needs&& needs_name) {
     std::set<std::string> taken;
-    for (const auto& [id, name] : names)
-        taken.insert(name);
-    int number = 0;
-    for (const auto& [id, count] : uses) {
-        if (count < 2 || names.count(id)) continue;
-        std::string name;
-        do
-            name = fmt::format("{} {}", word, ++number);
-        while (taken.count(name));
-        names[id] = name;
+    for (const Thing& thing : things)
+        taken.insert(thing.name);
+    std::set<std::string> used;
+    for (const Thing& thing : things) {
+        if (thing.name.empty() && !needs_name(thing.id)) continue;
+        std::string name = thing.name;
+        const std::string stem = name.empty() ? word : name;
+        for (int number = name.empty() ? 1 : 2; name.empty() || used.count(name); ++number) {
+            name = fmt::format("{} {}", stem, number);
+            if (taken.count(name)) name.clear();
+        }
+        used.insert(name);
+        names[thing.id] = std::move(name);
     }
 }
 
 }  // namespace
 
-WriteState::WriteState(const Scene& s) : scene(s) {
+WriteState::WriteState(const Scene& s, bool defaults) : scene(s), with_defaults(defaults) {
     std::map<TextureId, int> texture_uses;
     std::map<MaterialId, int> material_uses;
     const auto use = [&](const TexturedColor& c) {
@@ -38,20 +42,22 @@ WriteState::WriteState(const Scene& s) : scene(s) {
     };
     for (const Texture& t : s.textures) {
         textures[t.id] = &t;
-        if (!t.name.empty()) texture_names[t.id] = t.name;
         use(t.even);
         use(t.odd);
     }
     for (const Material& m : s.materials) {
         materials[m.id] = &m;
-        if (!m.name.empty()) material_names[m.id] = m.name;
         use(m.color);
         use(m.emission);
     }
     for (const Object& o : s.objects)
         if (o.material) ++material_uses[o.material];
-    give_names(texture_names, texture_uses, "texture");
-    give_names(material_names, material_uses, "material");
+    give_names(camera_names, s.cameras, "camera",
+               [&](CameraId id) { return id == s.active_camera && s.cameras.front().id != id; });
+    give_names(texture_names, s.textures, "texture",
+               [&](TextureId id) { return texture_uses[id] > 1; });
+    give_names(material_names, s.materials, "material",
+               [&](MaterialId id) { return material_uses[id] > 1; });
 }
 
 Json SceneWriter::number(double value) {
@@ -107,13 +113,18 @@ void SceneWriter::shape(const char* key, Shape& value) {
     json_[key] = inner.take();
 }
 
-void SceneWriter::cameras(Scene& scene) {
-    if (scene.cameras.size() == 1)
-        object("camera", scene.cameras.front(), [](auto& v, Camera& c) { camera_fields(v, c); });
+void SceneWriter::cameras(const Scene& scene) {
+    std::vector<Camera> cameras = scene.cameras;
+    for (Camera& c : cameras)
+        if (const auto name = state_.camera_names.find(c.id); name != state_.camera_names.end())
+            c.name = name->second;
+    if (cameras.size() == 1)
+        object("camera", cameras.front(), [](auto& v, Camera& c) { camera_fields(v, c); });
     else
-        list("cameras", scene.cameras, [](auto& v, Camera& c) { camera_fields(v, c); });
-    for (const Camera& c : scene.cameras)
-        if (c.id == scene.active_camera && !c.name.empty()) json_["active_camera"] = c.name;
+        list("cameras", cameras, [](auto& v, Camera& c) { camera_fields(v, c); });
+    if (const auto active = state_.camera_names.find(scene.active_camera);
+        active != state_.camera_names.end())
+        json_["active_camera"] = active->second;
 }
 
 void SceneWriter::named(const char* key, std::vector<Texture>& textures) {

@@ -12,15 +12,18 @@
 
 namespace tp {
 
-/// Names that things are written by: their own, or one made up for what is used twice without one.
+/// Names that things are written by: their own, with a number where another has the same, or one
+/// made up for what is used twice without a name.
 struct WriteState {
     const Scene& scene;
+    bool with_defaults;  // also writes what has its default
+    std::map<CameraId, std::string> camera_names;
     std::map<TextureId, std::string> texture_names;
     std::map<MaterialId, std::string> material_names;
     std::map<TextureId, const Texture*> textures;
     std::map<MaterialId, const Material*> materials;
 
-    explicit WriteState(const Scene& scene);
+    explicit WriteState(const Scene& scene, bool with_defaults = false);
 };
 
 class SceneWriter {
@@ -42,14 +45,16 @@ public:
     void operator()(const char* key, const std::vector<Double4>& value);
     void operator()(const char* key, const TexturedColor& value);
     void operator()(const char* key, MaterialId value);
-    void operator()(const char* key, const ImageFile& value) { json_[key] = value.path; }
 
     template <class Enum>
     requires std::is_enum_v<Enum>
     void operator()(const char* key, Enum value) { json_[key] = std::string(enum_name(value)); }
 
     void color(const char* key, const Double3& value) { json_[key] = vector(value); }
-    void required(const char* key, const ImageFile& value) { (*this)(key, value); }
+    void image(const char* key, const ImageFile& value) { json_[key] = value.path; }
+    void schema(const char* key, const std::string& value) {
+        if (!value.empty()) json_[key] = value;
+    }
     template <class Enum>
     void kind(const char* key, Enum value) {
         (*this)(key, value);
@@ -61,7 +66,7 @@ public:
     void constant(const char* key, const char* value) { json_[key] = value; }
     void constant(const char* key, int value) { json_[key] = value; }
     void shape(const char* key, Shape& value);
-    void cameras(Scene& scene);
+    void cameras(const Scene& scene);
     void named(const char* key, std::vector<Texture>& textures);
     void named(const char* key, std::vector<Material>& materials);
 
@@ -87,6 +92,7 @@ private:
         T standard = default_like(value);
         SceneWriter mine(state_), theirs(state_);
         fields(mine, value);
+        if (state_.with_defaults) return mine.take();
         fields(theirs, standard);
         return without_defaults(mine.take(), theirs.take());
     }

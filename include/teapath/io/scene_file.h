@@ -18,14 +18,19 @@ Scene load_scene(const std::filesystem::path& file);
 Scene parse_scene(std::string_view text, const std::filesystem::path& folder,
                   const std::string& name);
 
-/// The JSON text of a scene: parse_scene(scene_text(s)) == s.
+/// The JSON text of a scene, without what has its default. Reading it back gives a scene that
+/// renders the same; it is equal to `scene` where that one came from a file, and the text of any
+/// scene read back is the same text. Names that are used twice get a number.
 std::string scene_text(const Scene& scene);
 
-/// Writes the file whole or not at all (a temporary file, renamed). Throws Error(Output).
+/// Writes the file whole or not at all (a temporary file, renamed). Relative paths in it are turned
+/// to start from the folder of `file`. Throws Error(Output).
 void save_scene(const Scene& scene, const std::filesystem::path& file);
 
-/// Changes one setting by its path in the JSON, as `--set render.path.max_depth=8` does; the value
-/// is JSON, or a bare word for a string. Throws Error(Usage) for unknown paths, with the nearest.
+/// Changes one setting by its path in the JSON, as `--set render.max_depth=8` does. Elements of
+/// lists go by number or name: `objects[3].visible`, `objects.3.visible`, `cameras.front.aperture`;
+/// `camera` is the active one. The value is JSON, or a bare word for a string. Throws Error(Usage)
+/// for unknown paths, with the nearest known key.
 Scene with_setting(const Scene& scene, std::string_view path, std::string_view value);
 
 }  // namespace tp

@@ -10,7 +10,8 @@
 namespace tp {
 
 /// The random grid of spheres of Ray Tracing in One Weekend, with its sizes open: `columns` along
-/// x, `rows` along z, one sphere a cell, standing on the plane y = `ground`.
+/// x, `rows` along z, one sphere a cell, standing on the plane y = `ground`. Each cell has random
+/// numbers of its own (TEA keyed by the seed), so that leaving one out changes no other.
 struct SphereGrid {
     int columns = 22;
     int rows = 22;
@@ -23,8 +24,8 @@ struct SphereGrid {
     double metal = 0.15;
     double ior = 1.5;
     bool thesis_colors = false;  // colours by the thesis' text instead of the book's rule
-    std::vector<Double4>
-        keep_clear;  // spheres (x, y, z, r): cells whose centre lies within are empty
+    // Spheres (x, y, z, r): what would have its centre within one is left out.
+    std::vector<Double4> keep_clear;
     uint64_t seed = 0;
 
     friend bool operator==(const SphereGrid&, const SphereGrid&) = default;

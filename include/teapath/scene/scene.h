@@ -36,7 +36,17 @@ struct RenderSettings {
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
+/// What a scene remembers of its file. No part of what it is: scenes of different files may be
+/// equal.
+struct SceneOrigin {
+    std::string folder;  // where relative paths start; empty: unknown
+    std::string schema;  // the file's "$schema", kept for text editors
+
+    friend bool operator==(const SceneOrigin&, const SceneOrigin&) { return true; }
+};
+
 struct Scene {
+    SceneOrigin origin;
     std::string name;
     std::string description;
     std::vector<Camera> cameras;  // at least one after loading
