@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <unordered_set>
 #include <vector>
 
 namespace tp {
@@ -45,63 +45,102 @@ void check_nesting(std::string_view text, const std::string& name) {
     }
 }
 
-// Refuses a key that stands twice in one object.
-class DuplicateCheck {
+// Builds the tree from the parser's events. The library's own builder does not see keys that stand
+// twice, and with a callback takes quadratic time.
+class TreeBuilder {
 public:
-    explicit DuplicateCheck(const std::string& name) : name_(name) {}
+    TreeBuilder(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
-    bool operator()(int, Json::parse_event_t event, Json& parsed) {
-        using Event = Json::parse_event_t;
-        if (event == Event::object_start || event == Event::array_start) levels_.emplace_back();
-        if (event == Event::object_end || event == Event::array_end) {
-            levels_.pop_back();
-            count_element();
-        }
-        if (event == Event::value) count_element();
-        if (event == Event::key) {
-            Level& level = levels_.back();
-            level.key = parsed.get<std::string>();
-            if (!level.keys.insert(level.key).second)
-                throw Error(ErrorKind::Input,
-                            fmt::format("the key \"{}\" stands twice in one object", level.key),
-                            name_ + ": " + path(), "remove one of them");
-        }
+    Json take() { return std::move(root_); }
+
+    bool null() { return add(nullptr); }
+    bool boolean(bool value) { return add(value); }
+    bool number_integer(Json::number_integer_t value) { return add(value); }
+    bool number_unsigned(Json::number_unsigned_t value) { return add(value); }
+    bool number_float(Json::number_float_t value, const std::string&) { return add(value); }
+    bool string(std::string& value) { return add(std::move(value)); }
+    bool binary(Json::binary_t&) { return false; }  // not in text
+
+    bool start_object(size_t) { return open(Json::object()); }
+    bool start_array(size_t) { return open(Json::array()); }
+    bool end_object() { return close(); }
+    bool end_array() { return close(); }
+
+    bool key(std::string& key) {
+        Level& level = levels_.back();
+        level.key = key;
+        if (!level.keys.insert(key).second)
+            throw Error(ErrorKind::Input,
+                        fmt::format("the key \"{}\" stands twice in one object", key),
+                        name_ + ": " + path(), "remove one of them");
         return true;
     }
 
+    bool parse_error(size_t position, const std::string& token, const Json::exception& error) {
+        const std::string place = place_of(text_, position);
+        if (dynamic_cast<const Json::out_of_range*>(&error))
+            throw Error(ErrorKind::Input,
+                        fmt::format("the number {} is too large at {}", token, place), name_,
+                        "numbers stay below 1e308");
+        throw Error(ErrorKind::Input, fmt::format("this is not valid JSON at {}", place), name_,
+                    "look for a missing comma, quote or bracket just before; NaN and infinity are "
+                    "not JSON");
+    }
+
 private:
-    // An open object with its keys so far, or an open list with the number of elements.
+    // An open object or list; an object with its keys so far.
     struct Level {
-        std::set<std::string> keys;
+        Json* json;
+        std::unordered_set<std::string> keys;
         std::string key;
-        size_t count = 0;
     };
 
-    void count_element() {
-        if (!levels_.empty()) ++levels_.back().count;
+    // Puts a value where the events stand; returns its place, which stays while it is open.
+    Json* place(Json value) {
+        if (levels_.empty()) {
+            root_ = std::move(value);
+            return &root_;
+        }
+        Level& level = levels_.back();
+        if (level.json->is_array()) {
+            level.json->push_back(std::move(value));
+            return &level.json->back();
+        }
+        // Behind the others without a search: the key is known to be new.
+        auto& object = level.json->get_ref<Json::object_t&>();
+        object.emplace_back(level.key, std::move(value));
+        return &object.back().second;
+    }
+
+    bool add(Json value) {
+        place(std::move(value));
+        return true;
+    }
+    bool open(Json value) {
+        levels_.push_back({place(std::move(value)), {}, {}});
+        return true;
+    }
+    bool close() {
+        levels_.pop_back();
+        return true;
     }
 
     std::string path() const {
         std::string path;
         for (const Level& level : levels_) {
-            if (level.keys.empty())
-                path += fmt::format("[{}]", level.count);
+            if (level.json->is_array())
+                path += fmt::format("[{}]", level.json->size() - 1);
             else
                 path += (path.empty() ? "" : ".") + level.key;
         }
         return path;
     }
 
+    std::string_view text_;
     const std::string& name_;
+    Json root_;
     std::vector<Level> levels_;
 };
-
-// What the parser says of a number that is out of range ends in the number: "… 'parsing '1e400'".
-std::string number_in(const std::string& message) {
-    const size_t last = message.rfind('\'');
-    const size_t first = last == std::string::npos ? last : message.rfind('\'', last - 1);
-    return first == std::string::npos ? std::string() : message.substr(first + 1, last - first - 1);
-}
 
 // A string or number as JSON; bytes that are no UTF-8 become the replacement character.
 std::string plain(const Json& json) {
@@ -129,23 +168,9 @@ Json parse_json(std::string_view text, const std::string& name) {
         throw Error(ErrorKind::Input, "the file is empty", name,
                     "a scene is a JSON object; docs/scene_format.md has an example");
     check_nesting(text, name);
-    try {
-        return Json::parse(text, DuplicateCheck(name));
-    } catch (const Json::parse_error& error) {
-        throw Error(ErrorKind::Input,
-                    fmt::format("this is not valid JSON at {}", place_of(text, error.byte)), name,
-                    "look for a missing comma, quote or bracket just before; NaN and infinity are "
-                    "not JSON");
-    } catch (const Json::out_of_range& error) {
-        const std::string number = number_in(error.what());
-        const size_t at = text.find(number);
-        throw Error(ErrorKind::Input,
-                    fmt::format("the number {} is too large{}", number,
-                                at == std::string_view::npos || number.empty()
-                                    ? ""
-                                    : " at " + place_of(text, at + 1)),
-                    name, "numbers stay below 1e308");
-    }
+    TreeBuilder builder(text, name);
+    Json::sax_parse(text, &builder);
+    return builder.take();
 }
 
 std::string pretty_json(const Json& json, int indent) {

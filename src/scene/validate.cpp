@@ -22,38 +22,38 @@ void check_render(const RenderSettings& r, ProblemList& problems) {
     problems.in_range("render.key_rounds", r.path.key_rounds, 6, 32);
 }
 
-void check_view(const Camera& c, const std::string& where, ProblemList& problems) {
-    const bool finite = problems.finite(where + ".look_from", c.look_from) &&
-                        problems.finite(where + ".look_at", c.look_at) &&
-                        problems.finite(where + ".up", c.up);
+void check_view(const Camera& c, const Place& where, ProblemList& problems) {
+    const bool finite = problems.finite(where / "look_from", c.look_from) &&
+                        problems.finite(where / "look_at", c.look_at) &&
+                        problems.finite(where / "up", c.up);
     if (!finite) return;
     const Double3 view = c.look_at - c.look_from;
     const double distance = glm::length(view), up = glm::length(c.up);
     if (!(distance >= ProblemList::kSmallest))
-        problems.fatal(where + ".look_at", "the camera looks at where it is",
+        problems.fatal(where / "look_at", "the camera looks at where it is",
                        "move look_from or look_at");
     else if (!(up >= ProblemList::kSmallest))
-        problems.fatal(where + ".up", "up has no direction", "take [0, 1, 0]");
+        problems.fatal(where / "up", "up has no direction", "take [0, 1, 0]");
     else if (!(glm::length(glm::cross(view / distance, c.up / up)) > 1e-9))
-        problems.fatal(where + ".up", "up is parallel to the view",
+        problems.fatal(where / "up", "up is parallel to the view",
                        "for a view straight down take [0, 0, -1]");
 }
 
-void check_camera(const Camera& c, const std::string& where, ProblemList& problems) {
+void check_camera(const Camera& c, const Place& where, ProblemList& problems) {
     check_view(c, where, problems);
     if (!(c.vertical_fov > 0 && c.vertical_fov < 180))
-        problems.fatal(where + ".vertical_fov",
+        problems.fatal(where / "vertical_fov",
                        fmt::format("{} degrees is no field of view", c.vertical_fov),
                        "above 0 and below 180");
-    problems.not_negative(where + ".aperture", c.aperture, "aperture", "0 for a pinhole");
-    problems.not_negative(where + ".focus_distance", c.focus_distance, "focus distance",
+    problems.not_negative(where / "aperture", c.aperture, "aperture", "0 for a pinhole");
+    problems.not_negative(where / "focus_distance", c.focus_distance, "focus distance",
                           "0 to focus on look_at");
-    problems.not_negative(where + ".near_clip", c.near_clip, "distance of the near plane",
+    problems.not_negative(where / "near_clip", c.near_clip, "distance of the near plane",
                           "0 switches it off");
-    if (problems.not_negative(where + ".far_clip", c.far_clip, "distance of the far plane",
+    if (problems.not_negative(where / "far_clip", c.far_clip, "distance of the far plane",
                               "0 switches it off") &&
         c.far_clip > 0 && c.far_clip <= c.near_clip)
-        problems.fatal(where + ".far_clip", "the far plane is not beyond the near one",
+        problems.fatal(where / "far_clip", "the far plane is not beyond the near one",
                        "0 switches it off");
 }
 
@@ -66,30 +66,30 @@ void check_background(const Background& b, ProblemList& problems) {
 }
 
 // The number of spheres at most, 0 where the size is a problem.
-int64_t check_grid(const SphereGrid& g, const std::string& where, ProblemList& problems) {
-    const bool sized = problems.in_range(where + ".columns", g.columns, 0, 65535) &&
-                       problems.in_range(where + ".rows", g.rows, 0, 65535);
-    problems.finite(where + ".spacing", g.spacing);
-    problems.finite(where + ".center", g.center);
-    problems.finite(where + ".ground", g.ground);
-    problems.finite(where + ".jitter", g.jitter);
-    if (problems.not_negative(where + ".radius", g.radius, "radius") && g.radius == 0)
-        problems.warn(where + ".radius", "the spheres have radius 0: they are never hit");
-    const bool probable = problems.in_range(where + ".lambertian", g.lambertian, 0.0, 1.0) &&
-                          problems.in_range(where + ".metal", g.metal, 0.0, 1.0);
+int64_t check_grid(const SphereGrid& g, const Place& where, ProblemList& problems) {
+    const bool sized = problems.in_range(where / "columns", g.columns, 0, 65535) &&
+                       problems.in_range(where / "rows", g.rows, 0, 65535);
+    problems.finite(where / "spacing", g.spacing);
+    problems.finite(where / "center", g.center);
+    problems.finite(where / "ground", g.ground);
+    problems.finite(where / "jitter", g.jitter);
+    if (problems.not_negative(where / "radius", g.radius, "radius") && g.radius == 0)
+        problems.warn(where / "radius", "the spheres have radius 0: they are never hit");
+    const bool probable = problems.in_range(where / "lambertian", g.lambertian, 0.0, 1.0) &&
+                          problems.in_range(where / "metal", g.metal, 0.0, 1.0);
     if (probable && g.lambertian + g.metal > 1 + 1e-9)
-        problems.fatal(where + ".metal", "the probabilities of the materials add up to more than 1",
+        problems.fatal(where / "metal", "the probabilities of the materials add up to more than 1",
                        "lambertian + metal is 1 at most; the rest is glass");
-    problems.in_range(where + ".ior", g.ior, 0.01, 100.0);
+    problems.in_range(where / "ior", g.ior, 0.01, 100.0);
     for (size_t i = 0; i < g.keep_clear.size(); ++i)
-        problems.finite(fmt::format("{}.keep_clear[{}]", where, i), g.keep_clear[i]);
+        problems.finite((where / "keep_clear")[i], g.keep_clear[i]);
     return sized ? int64_t{g.columns} * g.rows : 0;
 }
 
 void check_generators(const Scene& scene, ProblemList& problems) {
     int64_t total = 0;
     for (size_t i = 0; i < scene.generators.size(); ++i) {
-        const std::string where = fmt::format("generate[{}]", i);
+        const Place list = "generate", where = list[i];
         const int64_t before = total;
         total += check_grid(scene.generators[i].grid, where, problems);
         if (total > kMaxGenerated && before <= kMaxGenerated)
@@ -113,10 +113,9 @@ std::vector<Problem> validate(const Scene& scene) {
     ProblemList problems;
     check_render(scene.render, problems);
     problems.in_range("display.exposure", static_cast<double>(scene.display.exposure), -64.0, 64.0);
+    const Place one = "camera", many = "cameras";
     for (size_t i = 0; i < scene.cameras.size(); ++i)
-        check_camera(scene.cameras[i],
-                     scene.cameras.size() == 1 ? "camera" : fmt::format("cameras[{}]", i),
-                     problems);
+        check_camera(scene.cameras[i], scene.cameras.size() == 1 ? one : many[i], problems);
     if (scene.active_camera && !find(scene, scene.active_camera))
         problems.fatal("active_camera", "the camera does not exist", "choose another");
     check_background(scene.background, problems);

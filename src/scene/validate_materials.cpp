@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <unordered_map>
 
 namespace tp {
 namespace {
@@ -17,62 +18,64 @@ public:
         : scene_(scene), problems_(problems) {
         for (const Texture& t : scene.textures)
             textures_[t.id] = &t;
-        name_materials();
-        name_textures();
+        find_users();
     }
 
     void run() {
         for (const Texture& t : scene_.textures)
-            check_texture(t, texture_places_[t.id]);
+            check_texture(t, place_of(t.id));
         for (const Material& m : scene_.materials)
-            check_material(m, material_places_[m.id]);
+            check_material(m, place_of(m));
         check_nesting();
     }
 
 private:
-    void name_materials() {
-        for (const Material& m : scene_.materials)
-            if (!m.name.empty()) material_places_[m.id] = "materials." + m.name;
+    // The first object that uses each material, and the first user of each texture.
+    void find_users() {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
-            if (std::string& place = material_places_[scene_.objects[i].material]; place.empty())
-                place = fmt::format("objects[{}].material", i);
-        for (const Material& m : scene_.materials)
-            if (std::string& place = material_places_[m.id]; place.empty()) place = "materials";
-    }
-
-    void name_textures() {
-        for (const Texture& t : scene_.textures)
-            if (!t.name.empty()) texture_places_[t.id] = "textures." + t.name;
-        const auto use = [&](const TexturedColor& c, const std::string& place) {
-            if (std::string& known = texture_places_[c.texture]; known.empty()) known = place;
+            first_object_.try_emplace(scene_.objects[i].material.value, i);
+        const auto use = [&](const TexturedColor& c, const auto& user, const char* key) {
+            if (c.texture) first_user_.try_emplace(c.texture, place_of(user) + "." + key);
         };
         for (const Material& m : scene_.materials) {
-            use(m.color, material_places_[m.id] + ".color");
-            use(m.emission, material_places_[m.id] + ".emission");
+            use(m.color, m, "color");
+            use(m.emission, m, "emission");
         }
         // An inline checker stands before what is inline in it.
         for (const Texture& t : scene_.textures) {
-            std::string place = texture_places_[t.id];
-            if (place.empty()) place = "textures";
-            use(t.even, place + ".even");
-            use(t.odd, place + ".odd");
+            use(t.even, t.id, "even");
+            use(t.odd, t.id, "odd");
         }
     }
 
-    void check_color(const TexturedColor& c, const std::string& where) {
+    std::string place_of(const Material& m) const {
+        if (!m.name.empty()) return "materials." + m.name;
+        const auto object = first_object_.find(m.id.value);
+        return object == first_object_.end() ? "materials"
+                                             : fmt::format("objects[{}].material", object->second);
+    }
+    std::string place_of(TextureId id) const {
+        const auto texture = textures_.find(id);
+        if (texture != textures_.end() && !texture->second->name.empty())
+            return "textures." + texture->second->name;
+        const auto user = first_user_.find(id);
+        return user == first_user_.end() ? "textures" : user->second;
+    }
+
+    void check_color(const TexturedColor& c, const Place& where) {
         problems_.color(where, c.color);
         if (c.texture && !textures_.count(c.texture))
             problems_.fatal(where, "the texture does not exist", "choose another");
     }
 
-    void check_texture(const Texture& t, const std::string& where) {
-        if (t.kind == TextureKind::Constant) problems_.color(where + ".color", t.color);
-        if (t.kind == TextureKind::Image) problems_.finite(where + ".repeat", t.repeat);
+    void check_texture(const Texture& t, const Place& where) {
+        if (t.kind == TextureKind::Constant) problems_.color(where / "color", t.color);
+        if (t.kind == TextureKind::Image) problems_.finite(where / "repeat", t.repeat);
         if (t.kind != TextureKind::Checker) return;
-        check_color(t.even, where + ".even");
-        check_color(t.odd, where + ".odd");
-        problems_.finite(where + ".cells", t.cells);
-        problems_.finite(where + ".frequency", t.frequency);
+        check_color(t.even, where / "even");
+        check_color(t.odd, where / "odd");
+        problems_.finite(where / "cells", t.cells);
+        problems_.finite(where / "frequency", t.frequency);
     }
 
     // The checkers directly inside a checker.
@@ -106,7 +109,7 @@ private:
             ready.pop_back();
             const int level = levels[id] + 1;
             if (level > kMaxCheckerNesting && deepest <= kMaxCheckerNesting)
-                problems_.fatal(texture_places_[id], "the checkers nest too deeply",
+                problems_.fatal(place_of(id), "the checkers nest too deeply",
                                 fmt::format("at most {} levels", kMaxCheckerNesting));
             deepest = std::max(deepest, level);
             for (const TextureId o : outer[id]) {
@@ -127,35 +130,35 @@ private:
         while (walked.insert(id).second)
             for (const TextureId inner : inner_checkers(*textures_[id]))
                 if (open.count(inner)) id = inner;
-        problems_.fatal(texture_places_[id], "the texture contains itself",
+        problems_.fatal(place_of(id), "the texture contains itself",
                         "break the circle of checkers");
     }
 
-    void check_material(const Material& m, const std::string& where) {
-        if (m.kind != MaterialKind::DiffuseLight) check_color(m.color, where + ".color");
+    void check_material(const Material& m, const Place& where) {
+        if (m.kind != MaterialKind::DiffuseLight) check_color(m.color, where / "color");
         if (m.emits || m.kind == MaterialKind::DiffuseLight) {
-            check_color(m.emission, where + ".emission");
-            problems_.not_negative(where + ".strength", m.strength, "strength");
+            check_color(m.emission, where / "emission");
+            problems_.not_negative(where / "strength", m.strength, "strength");
         }
-        problems_.in_range(where + ".opacity", m.opacity, 0.0, 1.0);
-        problems_.color(where + ".pass_through", m.pass_through);
-        if (m.kind == MaterialKind::Metal) problems_.in_range(where + ".fuzz", m.fuzz, 0.0, 1.0);
+        problems_.in_range(where / "opacity", m.opacity, 0.0, 1.0);
+        problems_.color(where / "pass_through", m.pass_through);
+        if (m.kind == MaterialKind::Metal) problems_.in_range(where / "fuzz", m.fuzz, 0.0, 1.0);
         if (m.kind == MaterialKind::Dielectric) {
-            problems_.in_range(where + ".ior", m.ior, 0.01, 100.0);
-            problems_.in_range(where + ".exterior_ior", m.exterior_ior, 0.01, 100.0);
+            problems_.in_range(where / "ior", m.ior, 0.01, 100.0);
+            problems_.in_range(where / "exterior_ior", m.exterior_ior, 0.01, 100.0);
         }
         const Double3& c = m.color.color;
         const bool reflects = m.kind != MaterialKind::DiffuseLight && !m.color.texture;
         if (reflects && (c.x > 1 || c.y > 1 || c.z > 1))
-            problems_.warn(where + ".color",
+            problems_.warn(where / "color",
                            "the colour is above 1: the surface gives back more light than it gets");
     }
 
     const Scene& scene_;
     ProblemList& problems_;
     std::map<TextureId, const Texture*> textures_;
-    std::map<TextureId, std::string> texture_places_;
-    std::map<MaterialId, std::string> material_places_;
+    std::unordered_map<uint32_t, size_t> first_object_;  // by material
+    std::map<TextureId, std::string> first_user_;
 };
 
 }  // namespace

@@ -1,19 +1,19 @@
 // Checks of objects: placement, material, and a shape that has a size.
 #include "problem_list.h"
 
-#include <set>
+#include <unordered_set>
 
 namespace tp {
 namespace {
 
 class ShapeChecker {
 public:
-    ShapeChecker(std::string where, ProblemList& problems)
-        : where_(std::move(where)), problems_(problems) {}
+    ShapeChecker(const Place& where, ProblemList& problems) : where_(where), problems_(problems) {}
 
     void operator()(const SphereShape& s) const {
         finite("center", s.center);
-        if (finite("radius", s.radius)) size(".radius", s.radius, "the sphere has radius 0");
+        if (finite("radius", s.radius))
+            size(where_ / "radius", s.radius, "the sphere has radius 0");
     }
     void operator()(const XyRectShape& r) const { axis_rect(r); }
     void operator()(const XzRectShape& r) const { axis_rect(r); }
@@ -25,19 +25,19 @@ public:
     void operator()(const BoxShape& b) const {
         if (!finite("low", b.low) || !finite("high", b.high)) return;
         if (b.low.x > b.high.x || b.low.y > b.high.y || b.low.z > b.high.z)
-            problems_.fatal(where_ + ".low", "the low corner is above the high one", "swap them");
+            problems_.fatal(where_ / "low", "the low corner is above the high one", "swap them");
         else
             for (int axis = 0; axis < 3; ++axis)
-                if (!size("", b.high[axis] - b.low[axis], "the box has no volume")) break;
+                if (!size(where_, b.high[axis] - b.low[axis], "the box has no volume")) break;
     }
     void operator()(const DiskShape& d) const {
         finite("center", d.center);
         if (finite("normal", d.normal) && !(glm::length(d.normal) >= ProblemList::kSmallest))
-            problems_.fatal(where_ + ".normal", "the normal has no direction",
+            problems_.fatal(where_ / "normal", "the normal has no direction",
                             "for a disk on the floor take [0, 1, 0]");
-        if (problems_.not_negative(where_ + ".radius", d.radius, "radius",
+        if (problems_.not_negative(where_ / "radius", d.radius, "radius",
                                    "a normal turned round shows the other side"))
-            size(".radius", d.radius, "the disk has radius 0");
+            size(where_ / "radius", d.radius, "the disk has radius 0");
     }
     void operator()(const TriangleShape& t) const {
         if (finite("a", t.a) && finite("b", t.b) && finite("c", t.c))
@@ -47,15 +47,15 @@ public:
 private:
     template <class T>
     bool finite(const char* key, const T& value) const {
-        return problems_.finite(where_ + "." + key, value);
+        return problems_.finite(where_ / key, value);
     }
 
     // A length; 0 is a warning, and too little for the kernels' numbers an error.
-    bool size(const char* key, double length, const char* if_zero) const {
+    bool size(const Place& where, double length, const char* if_zero) const {
         if (length == 0)
-            problems_.warn(where_ + key, fmt::format("{}: it is never hit", if_zero));
+            problems_.warn(where, fmt::format("{}: it is never hit", if_zero));
         else if (std::abs(length) < ProblemList::kSmallest)
-            problems_.fatal(where_ + key, fmt::format("a size of {} is too small", length),
+            problems_.fatal(where, fmt::format("a size of {} is too small", length),
                             "sizes are 1e-15 or more");
         else
             return true;
@@ -74,24 +74,24 @@ private:
     void axis_rect(const Rect& r) const {
         if (!finite("low", r.low) || !finite("high", r.high) || !finite("k", r.k)) return;
         if (r.low.x > r.high.x || r.low.y > r.high.y)
-            problems_.fatal(where_ + ".low", "the low corner is above the high one",
+            problems_.fatal(where_ / "low", "the low corner is above the high one",
                             "swap them; \"inside_out\": true turns the front round");
         else
             for (int axis = 0; axis < 2; ++axis)
-                if (!size("", r.high[axis] - r.low[axis], "the rectangle has no area")) break;
+                if (!size(where_, r.high[axis] - r.low[axis], "the rectangle has no area")) break;
     }
 
-    std::string where_;
+    const Place& where_;
     ProblemList& problems_;
 };
 
-void check_transform(const Transform& t, const std::string& where, ProblemList& problems) {
-    problems.finite(where + ".translate", t.translation);
-    problems.finite(where + ".rotate", t.rotation);
-    if (!problems.finite(where + ".scale", t.scale)) return;
+void check_transform(const Transform& t, const Place& where, ProblemList& problems) {
+    problems.finite(where / "translate", t.translation);
+    problems.finite(where / "rotate", t.rotation);
+    if (!problems.finite(where / "scale", t.scale)) return;
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(t.scale[axis]) >= ProblemList::kSmallest) continue;
-        problems.fatal(where + ".scale",
+        problems.fatal(where / "scale",
                        t.scale[axis] == 0
                            ? std::string("a scale of 0 leaves nothing")
                            : fmt::format("a scale of {} is too small", t.scale[axis]),
@@ -103,16 +103,18 @@ void check_transform(const Transform& t, const std::string& where, ProblemList& 
 }  // namespace
 
 void check_objects(const Scene& scene, ProblemList& problems) {
-    std::set<MaterialId> materials;
+    std::unordered_set<uint32_t> materials;
     for (const Material& m : scene.materials)
-        materials.insert(m.id);
+        materials.insert(m.id.value);
+    const Place list = "objects";
     for (size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
-        const std::string where = fmt::format("objects[{}]", i);
-        if (object.material && !materials.count(object.material))
-            problems.fatal(where + ".material", "the material does not exist", "choose another");
-        check_transform(object.transform, where + ".transform", problems);
-        std::visit(ShapeChecker(where + ".shape", problems), object.shape);
+        const Place where = list[i];
+        if (object.material && !materials.count(object.material.value))
+            problems.fatal(where / "material", "the material does not exist", "choose another");
+        check_transform(object.transform, where / "transform", problems);
+        const Place shape = where / "shape";
+        std::visit(ShapeChecker(shape, problems), object.shape);
     }
 }
 
