@@ -218,6 +218,14 @@ TEST_CASE("validate: objects and their placement") {
                 [](Scene& s) { s.objects[2].transform.scale.y = 0; });
     check_fatal("objects[2].transform.scale", "too small",
                 [](Scene& s) { s.objects[2].transform.scale.y = 1e-30; });
+    check_fatal("objects[0]", "reaches too far", [](Scene& s) {
+        s.objects[0].shape = SphereShape{{0, 0, 0}, 1e10};
+        s.objects[0].transform.scale = Double3(1e10);
+    });
+    check_fatal("objects[0].shape.radius", "too small", [](Scene& s) {
+        s.objects[0].shape = SphereShape{{0, 0, 0}, 1e-10};
+        s.objects[0].transform.scale = Double3(1e-10);
+    });
     check_fatal("objects[2].transform.rotate[1]", "not finite",
                 [](Scene& s) { s.objects[2].transform.rotation.y = kNan; });
     check_fatal("objects[2].transform.translate[1]", "too large",

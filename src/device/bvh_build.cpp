@@ -130,7 +130,10 @@ private:
     }
 
     int bin_of(Real center, Real low, Real scale) const {
-        return std::min(static_cast<int>((center - low) * scale), config_.bins - 1);
+        // Any number, also none at all: centres may be a denormal number apart.
+        const Real bin = (center - low) * scale;
+        if (!(bin > 0)) return 0;
+        return bin < static_cast<Real>(config_.bins) ? static_cast<int>(bin) : config_.bins - 1;
     }
 
     void scan_axis(const Range& range, int axis, const Bounds& centers, double& best_cost,

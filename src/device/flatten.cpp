@@ -41,7 +41,8 @@ Bounds padded_bounds(const Hittable& h) {
 }
 
 void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
-    // The hittables of what can be seen, in the objects' order.
+    // The hittables of what can be seen, in the objects' order. What reaches beyond the kernels'
+    // numbers is left out.
     const MaterialIndex material_index = index_materials(scene);
     std::vector<std::optional<Hittable>> shapes(scene.objects.size());
     parallel_for(static_cast<int64_t>(shapes.size()), 4096, [&](int64_t first, int64_t last) {
@@ -49,6 +50,7 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
             const Object& object = scene.objects[i];
             if (!object.visible) continue;
             shapes[i] = flatten_shape(object);
+            if (shapes[i] && !is_finite(bounds_of(*shapes[i]).extent())) shapes[i].reset();
             if (!shapes[i]) continue;
             const auto found = material_index.find(object.material.value);
             shapes[i]->material = found == material_index.end() ? 0 : found->second;

@@ -37,7 +37,7 @@ void check_nesting(std::string_view text, const std::string& name) {
             if (++depth > kMaxNesting)
                 throw Error(ErrorKind::Input,
                             fmt::format("lists and objects nest deeper than {} levels at {}",
-                                        kMaxNesting, place_of(text, i)),
+                                        kMaxNesting, place_of(text, i + 1)),
                             name, "a scene needs fewer than 20");
         } else if (c == '}' || c == ']') {
             --depth;

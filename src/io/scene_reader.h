@@ -93,7 +93,7 @@ private:
     void check_name(const std::string& name, const char* key) const;
     std::string path_of(const char* key) const { return path_.empty() ? key : path_ + "." + key; }
     [[noreturn]] void fail(const std::string& path, const std::string& what,
-                           const std::string& remedy = {}) const;
+                           const std::string& remedy = "docs/scene_format.md has each key") const;
     void expect_array(const Json& json, const std::string& path) const;
     double number_of(const Json& json, const std::string& path) const;
     Double3 color_of(const Json& json, const std::string& path) const;

@@ -32,14 +32,10 @@ public:
     // brackets, else all up to the next dot or bracket.
     std::string next_key(const Json& object) {
         skip_dot();
-        size_t best = std::min(rest_.find_first_of(".["), rest_.size());
-        for (const auto& [key, value] : object.items()) {
-            const bool ends = rest_.size() == key.size() ||
-                              (rest_.size() > key.size() &&
-                               (rest_[key.size()] == '.' || rest_[key.size()] == '['));
-            if (ends && key.size() > best && rest_.starts_with(key)) best = key.size();
-        }
-        return take(best);
+        std::vector<std::string> keys;
+        for (const auto& [key, value] : object.items())
+            keys.push_back(key);
+        return take_word(keys);
     }
 
     // The next element of a list, by number or name.
@@ -54,7 +50,7 @@ public:
             rest_.remove_prefix(1);
         } else {
             skip_dot();
-            word = take(std::min(rest_.find_first_of(".["), rest_.size()));
+            word = take_word(names_in(list));
         }
         return index_of(word, list);
     }
@@ -62,6 +58,25 @@ public:
 private:
     void skip_dot() {
         if (rest_.size() < path_.size() && rest_.starts_with('.')) rest_.remove_prefix(1);
+    }
+
+    // The longest of `words` that the rest starts with, else all up to the next dot or bracket.
+    std::string take_word(const std::vector<std::string>& words) {
+        size_t length = std::min(rest_.find_first_of(".["), rest_.size());
+        for (const std::string& word : words) {
+            const bool ends = rest_.size() == word.size() ||
+                              (rest_.size() > word.size() &&
+                               (rest_[word.size()] == '.' || rest_[word.size()] == '['));
+            if (ends && word.size() > length && rest_.starts_with(word)) length = word.size();
+        }
+        return take(length);
+    }
+
+    static std::vector<std::string> names_in(const Json& list) {
+        std::vector<std::string> names;
+        for (const Json& element : list)
+            names.push_back(element.is_object() ? element.value("name", "") : "");
+        return names;
     }
 
     std::string take(size_t length) {
@@ -77,13 +92,9 @@ private:
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
         if (error == std::errc() && end == word.data() + word.size() && index < list.size())
             return index;
-        std::vector<std::string> names;
-        for (size_t i = 0; i < list.size(); ++i) {
-            const std::string name =
-                list[i].is_object() ? list[i].value("name", std::string()) : std::string();
-            if (!name.empty() && name == word) return i;
-            names.push_back(name);
-        }
+        const std::vector<std::string> names = names_in(list);
+        if (const auto named = std::find(names.begin(), names.end(), word); named != names.end())
+            return static_cast<size_t>(named - names.begin());
         const std::string nearest = nearest_name(word, names);
         fail(path_, fmt::format("there is no element \"{}\"", word),
              !nearest.empty() ? fmt::format("did you mean \"{}\"?", nearest)
