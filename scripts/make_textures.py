@@ -169,6 +169,13 @@ def logo(size=512):
     return np.concatenate([color, alpha[..., None]], -1)
 
 
+def logo_tile(size=512):
+    """The logo on paper, without transparency."""
+    rgba = logo(size)
+    paper = np.array([0.93, 0.90, 0.83])
+    return rgba[..., :3] * rgba[..., 3:] + paper * (1 - rgba[..., 3:])
+
+
 def milky_way(width=1024, height=512):
     d = directions(width, height, True)
     axis = np.array([0.35, 0.85, 0.4])
@@ -242,6 +249,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     write_png(os.path.join(folder, "globe.png"), globe())
     write_png(os.path.join(folder, "logo.png"), logo())
+    write_png(os.path.join(folder, "logo_tile.png"), logo_tile())
     write_png(os.path.join(folder, "milky_way.png"), milky_way())
     write_png(os.path.join(folder, "wood.png"), wood())
     write_hdr(os.path.join(folder, "sunset.hdr"), sunset())
