@@ -35,7 +35,8 @@ public:
         CHECK(definition.at("additionalProperties") == false);
     }
     ~SchemaCheck() {
-        for (const auto& [key, property] : properties().items()) {
+        for (const auto& item : properties().items()) {
+            const std::string& key = item.key();
             CAPTURE(key);
             CHECK_MESSAGE(keys_.count(key) == 1, "the schema has a key that the reader has not");
         }
