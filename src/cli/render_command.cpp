@@ -77,9 +77,8 @@ void add_options(CLI::App& parser, Words& words) {
     add("--depth", words.depth, "N", "Segments of a path at most, 1 = light seen by the camera");
     add("--seed", words.seed, "N|random", "One picture for each seed; random: from the clock");
     add("--camera", words.camera, "NAME", "One of the scene's cameras");
-    add_many(
-        "--set", words.settings, "PATH=VALUE",
-        "Any setting of the scene, as in render.sampler=sobol; may be given several times");
+    add_many("--set", words.settings, "PATH=VALUE",
+             "Any setting of the scene, as in render.sampler=sobol; may be given several times");
     add("--backend", words.backend, "auto|cuda|host",
         "Where to render (auto: CUDA where it works)");
     add("--device", words.device, "N", "Number of the CUDA device; teapath info lists them");
