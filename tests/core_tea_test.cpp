@@ -1,5 +1,6 @@
-// The generator against known answers and by its statistics. Vectors: Wheeler's for 32 rounds of
-// zeros; the others were made by two independent programs and decrypt back.
+// The generator against known answers and by its statistics.
+#include "support/tea_vectors.h"
+
 #include <teapath/core/tea.h>
 
 #include <doctest/doctest.h>
@@ -14,77 +15,9 @@
 #include <vector>
 
 using namespace tp;
+using namespace tp::test;
 
 namespace {
-
-struct Vector {
-    TeaKey key;
-    TeaBlock block;
-    TeaBlock after[5];  // 2, 4, 8, 16, 32 rounds
-};
-constexpr int kVectorRounds[] = {2, 4, 8, 16, 32};
-constexpr Vector kVectors[] = {
-    {{0, 0, 0, 0},
-     {0, 0},
-     {{0x3e3d2c81, 0x747811b6},
-      {0x420a1097, 0xbec5a929},
-      {0xed285da1, 0x455b33c1},
-      {0xa889f798, 0x182d8083},
-      {0x41ea3a0a, 0x94baa940}}},
-    {{0, 0, 0, 0},
-     {1, 0},
-     {{0x3e3d2ba2, 0x74781f87},
-      {0x421006e4, 0xc06ba13a},
-      {0xa0bc7d76, 0xf13efdd1},
-      {0xf4e59373, 0x26ac1d8e},
-      {0x9fbae93b, 0x81bbf328}}},
-    {{0xa341316c, 0xc8013ea4, 0xad90777d, 0x7e95761e},
-     {0, 0},
-     {{0x2993bc2c, 0x7014a5d2},
-      {0x5df5f2bf, 0x54ce08ba},
-      {0xfbc840dd, 0x18e69c3c},
-      {0x741c187d, 0x4d3e2c53},
-      {0x83ecc213, 0xa843a7a0}}},
-    {{0xa341316c, 0xc8013ea4, 0xad90777d, 0x7e95761e},
-     {12345, 7},
-     {{0x29c2ad49, 0x614e5cb7},
-      {0x75130546, 0x0a97e66e},
-      {0xbe0aecb6, 0x6edf0078},
-      {0xa025d928, 0x6f339bae},
-      {0xd0291b06, 0xb154e57a}}},
-    {{0x00112233, 0x44556677, 0x8899aabb, 0xccddeeff},
-     {0x01234567, 0x89abcdef},
-     {{0xe0091d53, 0x83f90a01},
-      {0x125e8983, 0x9ffe6453},
-      {0xd6546158, 0xb8f8020c},
-      {0x7cf6c003, 0x2c4af316},
-      {0x126c6b92, 0xc0653a3e}}},
-    {{0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff},
-     {0xffffffff, 0xffffffff},
-     {{0x47732781, 0x5b14ce98},
-      {0x89f68060, 0x69167eb6},
-      {0xee45114b, 0x1d87a152},
-      {0xb06c7941, 0x6d10fe9f},
-      {0x319bbefb, 0x016abdb2}}},
-};
-
-// The listing of Fig. 3 of Sebald's paper as printed: delta is never added.
-TeaBlock literal_encrypt(TeaBlock block, const TeaKey& key, int rounds) {
-    for (int i = 0; i < rounds; ++i)
-        tea_cycle(block, key, 0);
-    return block;
-}
-
-// Encryption with the number of rounds known when compiled.
-TeaBlock straight_line(const TeaBlock& b, const TeaKey& key, int rounds) {
-    switch (rounds) {
-        case 2: return tea_encrypt<2>(b, key);
-        case 4: return tea_encrypt<4>(b, key);
-        case 8: return tea_encrypt<8>(b, key);
-        case 16: return tea_encrypt<16>(b, key);
-        default: return tea_encrypt<32>(b, key);
-    }
-}
 
 int distance(const TeaKey& a, const TeaKey& b) {
     return std::popcount(a.k0 ^ b.k0) + std::popcount(a.k1 ^ b.k1) + std::popcount(a.k2 ^ b.k2) +
@@ -153,15 +86,13 @@ bool is_white(int rounds) {
 }  // namespace
 
 TEST_CASE("AC-T1: TEA gives the known words") {
-    for (const Vector& v : kVectors) {
-        for (int i = 0; i < 5; ++i) {
-            const int rounds = kVectorRounds[i];
-            CAPTURE(rounds);
-            CHECK(tea_encrypt(v.block, v.key, rounds) == v.after[i]);
-            CHECK(straight_line(v.block, v.key, rounds) == v.after[i]);
-            CHECK(tea_decrypt(v.after[i], v.key, rounds) == v.block);
-        }
+    for (const TeaVector& v : tea_vectors()) {
+        CAPTURE(v.rounds);
+        CHECK(tea_encrypt(v.block, v.key, v.rounds) == v.after);
+        CHECK(tea_encrypt_unrolled(v.block, v.key, v.rounds) == v.after);
+        CHECK(tea_decrypt(v.after, v.key, v.rounds) == v.block);
     }
+    CHECK(tea_vectors().size() == 30);
 }
 
 TEST_CASE("AC-T1, E1: the listing without the sum gives its own words") {
@@ -206,13 +137,14 @@ TEST_CASE("AC-T3: what is encrypted decrypts, equivalent keys encrypt alike") {
     std::mt19937 random(1);
     const auto word = [&] { return static_cast<uint32_t>(random()); };
     const uint32_t top = 0x80000000u;
-    int not_inverse = 0, not_equivalent = 0, like_literal = 0;
+    int not_inverse = 0, not_unrolled = 0, not_equivalent = 0, like_literal = 0;
     for (int i = 0; i < 1000000; ++i) {
         const TeaKey key{word(), word(), word(), word()};
         const TeaBlock block{word(), word()};
         const int rounds = 1 + static_cast<int>(word() % 32);
         const TeaBlock after = tea_encrypt(block, key, rounds);
         not_inverse += tea_decrypt(after, key, rounds) != block;
+        not_unrolled += tea_encrypt_unrolled(block, key, rounds) != after;
         like_literal += after == literal_encrypt(block, key, rounds);
         const TeaKey others[] = {{key.k0 ^ top, key.k1 ^ top, key.k2, key.k3},
                                  {key.k0, key.k1, key.k2 ^ top, key.k3 ^ top},
@@ -222,17 +154,14 @@ TEST_CASE("AC-T3: what is encrypted decrypts, equivalent keys encrypt alike") {
         not_equivalent += canonical(other) != canonical(key);
     }
     CHECK(not_inverse == 0);
+    CHECK(not_unrolled == 0);
     CHECK(not_equivalent == 0);
     CHECK(like_literal == 0);
 }
 
 TEST_CASE("AC-T4: keys of devices and seeds") {
-    CHECK(tea_key(0, 0) == TeaKey{0xa5251860, 0x741c187d, 0xea73e9a7, 0x4d3e2c53});
-    CHECK(tea_key(0, 1234567890) == TeaKey{0x96bc8fc9, 0xe3be30e4, 0x41b81200, 0x5c29c793});
-    CHECK(tea_key(1, 1234567890) == TeaKey{0xd41d8441, 0xf5856747, 0xb4da430a, 0xbfc6e602});
-    CHECK(tea_key(2, 1234567890) == TeaKey{0xa61429a9, 0x97a07b4a, 0x1aadcdd9, 0x4b72647e});
-    CHECK(tea_key(7, 1234567890) == TeaKey{0x74e5b056, 0xfc7e15d5, 0x37f34e33, 0xda6ec407});
-    CHECK(tea_key(0, 1300000000) == TeaKey{0x2389ecb6, 0xb9f72593, 0x8e00e352, 0x7bd815ef});
+    for (const TeaKeyVector& v : tea_key_vectors())
+        CHECK(tea_key(v.device, v.seed) == v.key);
 
     // The listing without the sum gives another key.
     const TeaKey ik = tea_initial_key();
@@ -282,11 +211,13 @@ TEST_CASE("the first words of two devices' streams") {
 }
 
 TEST_CASE("the numbers of the OptiX SDK's samples") {
-    OptixRandom zero(tea_encrypt({0, 0}, tea_initial_key(), 16).v0);
+    OptixRandom zero = optix_random<16>(0, 0), numbers = zero;
     CHECK(zero.state == 0x741c187d);
     for (const uint32_t expected : {0xd2ffb8u, 0x013fb7u, 0xc119aau, 0x10fd01u})
         CHECK(zero.next_bits() == expected);
-    OptixRandom pixel(tea_encrypt({12345, 7}, tea_initial_key(), 4).v0);
+    for (const double expected : {0.82421446, 0.00487846, 0.75429785, 0.06636053})
+        CHECK(std::abs(static_cast<double>(numbers.next()) - expected) < 1e-8);
+    OptixRandom pixel = optix_random<4>(12345, 7);
     CHECK(pixel.state == 0x75130546);
     for (const uint32_t expected : {0x561bedu, 0x13cc68u, 0x09c4a7u, 0x9779dau})
         CHECK(pixel.next_bits() == expected);

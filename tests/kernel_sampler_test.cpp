@@ -33,6 +33,28 @@ Vec2 sobol_2d(uint32_t pixel, uint64_t sample, uint32_t dimension, uint64_t seed
 // key gives two counters two blocks.
 using Words = std::set<std::pair<uint32_t, uint32_t>>;
 
+// How often so uneven a share of cells would come by chance, where cells are pairs of a number of
+// 2^18 pixels and samples and of its neighbour (the second of the pair, or what lies `pixels`,
+// `samples`, `dimensions` and `seeds` away).
+struct Neighbour {
+    uint32_t pixels, samples, dimensions, seeds;
+};
+double independence(const Neighbour& n, int rounds) {
+    const TeaKey key = tea_key(0, 3), other_key = tea_key(0, 3 + n.seeds);
+    std::vector<double> cells(256);
+    for (uint32_t pixel = 0; pixel < 512; ++pixel) {
+        for (uint32_t sample = 0; sample < 512; ++sample) {
+            const Sampler a = make_sampler(key, pixel, sample, SamplerKind::Tea, rounds);
+            const Sampler b = make_sampler(other_key, pixel + n.pixels, sample + n.samples,
+                                           SamplerKind::Tea, rounds);
+            const auto slot = [](Real u) { return static_cast<size_t>(u * 16); };
+            const Real u = sample_1d<false>(a, 8), v = sample_1d<false>(b, 8 + n.dimensions);
+            ++cells[slot(u) * 16 + slot(v)];
+        }
+    }
+    return chi2_test_uniform(cells).p_value;
+}
+
 // True if each box of the 2^k that a division into 2^a columns makes holds one of the points.
 bool is_net(const std::vector<TeaBlock>& points, int k) {
     for (int a = 0; a <= k; ++a) {
@@ -135,6 +157,16 @@ TEST_CASE("TEA: pixel, sample and pair make the counter, what runs over makes an
         CHECK(sample_1d<false>(s, 12) == u.x);
         CHECK(sample_1d<false>(s, 13) == u.y);
     }
+}
+
+TEST_CASE("TEA: numbers are uniform, and independent of their neighbours") {
+    constexpr Neighbour kNeighbours[] = {{0, 0, 1, 0}, {1, 0, 0, 0}, {1280, 0, 0, 0}, {0, 1, 0, 0},
+                                         {0, 0, 2, 0}, {0, 0, 8, 0}, {1, 1, 0, 0},    {0, 0, 0, 1}};
+    for (const int rounds : {6, 8})
+        for (const Neighbour& n : kNeighbours)
+            CHECK(independence(n, rounds) > sidak(0.01, 2 * 8));
+    for (const Neighbour& n : {kNeighbours[1], kNeighbours[3]})
+        CHECK(independence(n, 2) < 1e-9);
 }
 
 TEST_CASE("dimensions of a vertex lie apart from those of the camera and of other vertices") {

@@ -94,6 +94,7 @@ TEST_CASE("triangle: uniform") {
             expected[static_cast<size_t>(x * kSide + y)] =
                 kSamples * (x + y == kSide - 1 ? 1.0 : 2.0) / (kSide * kSide);
     CHECK(inside);
+    CHECK(uniform_triangle_pdf() == 2);  // over an area of 1/2
     // A point on the hypotenuse may round into the next cell.
     const Chi2 chi2 = chi2_test(cells, expected);
     CHECK(chi2.p_value > kLevel);
@@ -110,6 +111,7 @@ TEST_CASE("ball: uniform in volume") {
         ++cells[static_cast<size_t>((i * 8 + j) * 8 + k)];
     });
     CHECK(chi2_test_uniform(cells).p_value > kLevel);
+    CHECK(uniform_ball_pdf() * kPi * 4 / 3 == doctest::Approx(1));
 }
 
 TEST_CASE("hemisphere by the cosine, hemisphere, sphere") {

@@ -99,16 +99,23 @@ TP_HD TeaKey canonical(TeaKey key) {
     return key;
 }
 
-/// The generator of the OptiX SDK's samples, for comparison with programs that use it: word 0 of
-/// TEA seeds a linear congruential generator, of which 24 bits are taken.
+/// The generator of the OptiX SDK's samples, for comparison with programs that use it: a linear
+/// congruential generator of which 24 bits are taken.
 struct OptixRandom {
-    uint32_t state;
-    TP_HD_MEMBER explicit OptixRandom(uint32_t seed) : state(seed) {}
+    uint32_t state = 0;
     TP_HD_MEMBER uint32_t next_bits() {
         state = 1664525u * state + 1013904223u;
         return state & 0x00ffffffu;
     }
+    /// A number in [0, 1).
+    TP_HD_MEMBER float next() { return static_cast<float>(next_bits()) * 0x1p-24f; }
 };
+
+/// Seeds it as they do, by word 0 of `kRounds` rounds of TEA.
+template <int kRounds>
+TP_HD OptixRandom optix_random(uint32_t a, uint32_t b) {
+    return {tea_encrypt<kRounds>({a, b}, tea_initial_key()).v0};
+}
 
 /// A number in [0, 1), never 1: 24 bits as float, 32 as double.
 TP_HD Real unit_real(uint32_t bits) {

@@ -64,7 +64,7 @@ TP_HD Real uniform_cone_pdf(Real cone) {
     return kInvPi / (2 * cone);
 }
 
-/// Uniform in the triangle u, v >= 0, u + v <= 1 (Heitz, "A Low-Distortion Map Between Triangle
+/// Uniform in the triangle x, y >= 0, x + y <= 1 (Heitz, "A Low-Distortion Map Between Triangle
 /// and Square", 2019). Density 2.
 TP_HD Vec2 sample_uniform_triangle(Vec2 u) {
     if (u.y > u.x) {
@@ -74,10 +74,16 @@ TP_HD Vec2 sample_uniform_triangle(Vec2 u) {
     const Real y = u.y / 2;
     return {u.x - y, y};
 }
+TP_HD Real uniform_triangle_pdf() {
+    return 2;
+}
 
 /// Uniform in the unit ball. Density 3 / (4 pi).
 TP_HD Vec3 sample_uniform_ball(Vec2 u, Real u3) {
     return sample_uniform_sphere(u) * std::cbrt(u3);
+}
+TP_HD Real uniform_ball_pdf() {
+    return kInvPi * Real(0.75);
 }
 
 /// The unit direction of `axis` + `radius` * (a point uniform in the unit ball): how the book's
