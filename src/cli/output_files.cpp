@@ -3,13 +3,13 @@
 #include <teapath/core/error.h>
 #include <teapath/io/image_file.h>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 
 namespace tp {
@@ -58,12 +58,14 @@ void check_folder(const fs::path& file) {
         throw_unwritable(file, fmt::format("{} is not a folder", folder.string()),
                          "name a file in a folder");
     // Only making a file there shows that one can be made: the folder may be on a read-only disk,
-    // a remote one with rules of its own, or in /proc.
-    std::string probe = file.string() + ".XXXXXX";
-    const int made = mkstemp(probe.data());
-    if (made < 0)
+    // a remote one with rules of its own, or in /proc. The name is as long as the final one's will
+    // be on the way.
+    const std::string probe = fmt::format("{}.{}.tmp", file.string(), getpid());
+    const int made = open(probe.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (made < 0 && errno != EEXIST)
         throw_unwritable(file, std::strerror(errno),
                          "name a file in a folder that you may write to");
+    if (made < 0) return;
     close(made);
     unlink(probe.c_str());
 }
