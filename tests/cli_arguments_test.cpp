@@ -1,6 +1,7 @@
+#include "cli/arguments.h"
+
 #include <teapath/core/error.h>
 
-#include <cli/arguments.h>
 #include <doctest/doctest.h>
 
 #include <limits>

@@ -1,4 +1,5 @@
-#include <cli/progress_line.h>
+#include "cli/progress_line.h"
+
 #include <doctest/doctest.h>
 
 namespace {
