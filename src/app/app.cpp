@@ -11,7 +11,10 @@
 #include <chrono>
 
 // After imgui.h, which it needs.
+#include "actions.h"
+#include "dialogs/dialogs.h"
 #include "panels/panels.h"
+#include "theme.h"
 
 #include <teapath/core/error.h>
 #include <teapath/io/image_file.h>
@@ -79,12 +82,13 @@ void draw_panels(PanelContext& c) {
     draw_metrics(c);
     draw_history(c);
     draw_dialogs(c);
+    run_shortcuts(c);
 }
 
-void remember_times(UiState& ui, double interface_ms, const RenderStatus& status) {
-    const auto i = static_cast<size_t>(ui.frame_count++ % 240);
-    ui.frame_ms[i] = static_cast<float>(interface_ms);
-    ui.trace_ms[i] = static_cast<float>(status.step_ms);
+void remember_times(MetricsState& metrics, double interface_ms, const RenderStatus& status) {
+    const size_t i = metrics.frames++ % MetricsState::kFrames;
+    metrics.interface_ms[i] = static_cast<float>(interface_ms);
+    metrics.trace_ms[i] = static_cast<float>(status.step_ms);
 }
 
 void write_screenshot(const Window& window, const std::filesystem::path& file) {
@@ -112,8 +116,13 @@ int run_app(const AppOptions& options) {
     std::string open_error;
     if (!options.scene.empty()) document.open(options.scene);
     UiState ui;
-    worker.set_scene(document.snapshot(), ui.view_width, ui.view_height, false);
+    const std::filesystem::path preferences_file = configuration_folder() / "settings.json";
+    ui.preferences = load_preferences(preferences_file);
+    ui.keys.from_names(ui.preferences.keys);
+    Preferences saved_preferences = ui.preferences;
+    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height, false);
     Window window(options.width, options.height, "Teapath");
+    apply_theme(ui.preferences.dark_theme, window.scale());
     DisplayTexture texture;
     DisplayFrame frame;
     std::string title;
@@ -130,7 +139,7 @@ int run_app(const AppOptions& options) {
         const auto upload_start = Clock::now();
         if (worker.take_frame(frame.serial, frame)) {
             texture.upload(frame.rgb, frame.width, frame.height);
-            ui.upload_ms = ms_since(upload_start);
+            ui.metrics.upload_ms = ms_since(upload_start);
         }
 
         // The interface, which may change the document.
@@ -139,15 +148,18 @@ int run_app(const AppOptions& options) {
         for (const std::filesystem::path& file : window.take_drops())
             open_scene(context, file);
         draw_panels(context);
-        worker.set_scene(document.snapshot(), ui.view_width, ui.view_height, ui.is_moving);
+        worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
+                         ui.viewport.is_moving);
         if (title != document.title()) window.set_title((title = document.title()) + " - Teapath");
-        remember_times(ui, ms_since(frame_start), status);
+        if (ui.preferences != saved_preferences)
+            save_preferences(saved_preferences = ui.preferences, preferences_file);
+        remember_times(ui.metrics, ms_since(frame_start), status);
         window.draw();
         const bool is_last = options.quit_after > 0 && ms_since(start) > options.quit_after * 1e3;
         if (is_last && !options.screenshot.empty()) write_screenshot(window, options.screenshot);
         window.show();
         if (is_last) break;
-        if (window.should_close() && (!document.is_modified() || ui.pending.empty())) break;
+        if (window.should_close() && (!document.is_modified() || ui.dialogs.pending.empty())) break;
     }
     return 0;
 }

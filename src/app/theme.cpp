@@ -105,11 +105,11 @@ ImFont* monospaced_font() {
     return console_font ? console_font : ImGui::GetIO().Fonts->Fonts.front();
 }
 
-void apply_dark_theme(float scale) {
-    apply({30, 40, 54, 68, 80, 222, 150, 62}, scale);
-}
-void apply_light_theme(float scale) {
-    apply({206, 226, 244, 250, 255, 24, 92, 190}, scale);
+void apply_theme(bool dark, float scale) {
+    if (dark)
+        apply({30, 40, 54, 68, 80, 222, 150, 62}, scale);
+    else
+        apply({206, 226, 244, 250, 255, 24, 92, 190}, scale);
 }
 
 }  // namespace tp

@@ -10,7 +10,6 @@ void load_fonts(float scale);
 /// The monospaced font of the console.
 ImFont* monospaced_font();
 
-void apply_dark_theme(float scale);
-void apply_light_theme(float scale);
+void apply_theme(bool dark, float scale);
 
 }  // namespace tp

@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 // clang-format on
 
+#include "preferences.h"
 #include "theme.h"
 
 #include <teapath/app/app.h>
@@ -27,19 +28,6 @@ namespace {
 std::string& last_glfw_error() {
     static std::string text;
     return text;
-}
-
-// The user's folder for layouts and the like; created.
-std::filesystem::path configuration_folder() {
-    const char* xdg = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    std::filesystem::path folder = xdg && *xdg
-                                       ? std::filesystem::path(xdg)
-                                       : std::filesystem::path(home ? home : ".") / ".config";
-    folder /= "teapath";
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    return folder;
 }
 
 }  // namespace
@@ -90,7 +78,7 @@ Window::Window(int width, int height, const std::string& title) {
     ini_file_ = (configuration_folder() / "layout.ini").string();
     io.IniFilename = ini_file_.c_str();
     load_fonts(scale_);
-    apply_dark_theme(scale_);
+    apply_theme(true, scale_);
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 450");
 }

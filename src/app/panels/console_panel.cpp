@@ -38,16 +38,19 @@ std::string text_of(const LogLine& line) {
 
 void draw_console(PanelContext& c) {
     constexpr size_t kMaxLines = 4096;
-    for (LogLine& line : log_lines_after(c.ui.log.empty() ? 0 : c.ui.log.back().serial))
-        c.ui.log.push_back(std::move(line));
-    if (c.ui.log.size() > kMaxLines) c.ui.log.erase(c.ui.log.begin(), c.ui.log.end() - kMaxLines);
+    for (LogLine& line :
+         log_lines_after(c.ui.console.lines.empty() ? 0 : c.ui.console.lines.back().serial))
+        c.ui.console.lines.push_back(std::move(line));
+    if (c.ui.console.lines.size() > kMaxLines)
+        c.ui.console.lines.erase(c.ui.console.lines.begin(), c.ui.console.lines.end() - kMaxLines);
 
     if (ImGui::Begin("Console")) {
         static ImGuiTextFilter filter;
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 9);
-        if (ImGui::InputTextWithHint("##filter", "Filter: word, -without, a,b", &c.ui.log_filter)) {
-            c.ui.log_filter.copy(filter.InputBuf, sizeof filter.InputBuf - 1);
-            filter.InputBuf[std::min(c.ui.log_filter.size(), sizeof filter.InputBuf - 1)] = 0;
+        if (ImGui::InputTextWithHint("##filter", "Filter: word, -without, a,b",
+                                     &c.ui.console.filter)) {
+            c.ui.console.filter.copy(filter.InputBuf, sizeof filter.InputBuf - 1);
+            filter.InputBuf[std::min(c.ui.console.filter.size(), sizeof filter.InputBuf - 1)] = 0;
             filter.Build();
         }
         ui::tooltip(
@@ -55,12 +58,12 @@ void draw_console(PanelContext& c) {
         ImGui::SameLine();
         const bool copy = ImGui::Button("Copy");
         ImGui::SameLine();
-        static uint64_t cleared = 0;
-        if (ImGui::Button("Clear") && !c.ui.log.empty()) cleared = c.ui.log.back().serial;
+        if (ImGui::Button("Clear") && !c.ui.console.lines.empty())
+            c.ui.console.cleared = c.ui.console.lines.back().serial;
 
         std::vector<const LogLine*> shown;
-        for (const LogLine& line : c.ui.log)
-            if (line.serial > cleared && filter.PassFilter(text_of(line).c_str()))
+        for (const LogLine& line : c.ui.console.lines)
+            if (line.serial > c.ui.console.cleared && filter.PassFilter(text_of(line).c_str()))
                 shown.push_back(&line);
         if (copy) {
             std::string text;

@@ -198,8 +198,8 @@ void draw_inspector(PanelContext& c) {
                 ImGui::TextDisabled("%d objects; the last one is shown",
                                     static_cast<int>(c.document.selection.size()));
             draw_object(c, c.document.selection.back());
-        } else if (find(c.document.scene(), c.ui.chosen_material)) {
-            draw_material(c, c.ui.chosen_material);
+        } else if (find(c.document.scene(), c.ui.tree.chosen_material)) {
+            draw_material(c, c.ui.tree.chosen_material);
         } else {
             ImGui::TextWrapped(
                 "Nothing is selected. Click an object in the picture or in the tree; the Add menu "

@@ -11,9 +11,11 @@
 namespace tp {
 namespace {
 
-void draw_frame_graph(const UiState& ui) {
-    const int count = std::min(ui.frame_count, 240),
-              offset = ui.frame_count > 240 ? ui.frame_count % 240 : 0;
+void draw_frame_graph(const MetricsState& metrics) {
+    const int count = static_cast<int>(std::min(metrics.frames, MetricsState::kFrames));
+    const int offset = metrics.frames > MetricsState::kFrames
+                           ? static_cast<int>(metrics.frames % MetricsState::kFrames)
+                           : 0;
     ImPlot::PushStyleColor(ImPlotCol_FrameBg, ImVec4(0, 0, 0, 0));
     if (ImPlot::BeginPlot("##frames", ImVec2(-1, 96),
                           ImPlotFlags_NoMouseText | ImPlotFlags_NoInputs | ImPlotFlags_NoMenus)) {
@@ -23,8 +25,8 @@ void draw_frame_graph(const UiState& ui) {
         ImPlot::SetupLegend(ImPlotLocation_NorthEast, ImPlotLegendFlags_Horizontal);
         ImPlotSpec spec;
         spec.Offset = offset;
-        ImPlot::PlotLine("interface", ui.frame_ms, count, 1, 0, spec);
-        ImPlot::PlotLine("trace", ui.trace_ms, count, 1, 0, spec);
+        ImPlot::PlotLine("interface", metrics.interface_ms.data(), count, 1, 0, spec);
+        ImPlot::PlotLine("trace", metrics.trace_ms.data(), count, 1, 0, spec);
         ImPlot::EndPlot();
     }
     ImPlot::PopStyleColor();
@@ -45,12 +47,12 @@ void draw_metrics(PanelContext& c) {
     if (ImGui::Begin("Metrics")) {
         const RenderStatus& s = c.status;
         const float frame_ms = ImGui::GetIO().DeltaTime * 1e3f;
-        draw_frame_graph(c.ui);
+        draw_frame_graph(c.ui.metrics);
         const std::vector<std::pair<const char*, std::string>> lines = {
             {"Frames", fmt::format("{:.0f} fps, {:.1f} ms", ImGui::GetIO().Framerate, frame_ms)},
             {"Trace", fmt::format("{:.1f} ms a step", s.step_ms)},
             {"Display", fmt::format("{:.1f} ms tone curve, {:.1f} ms to the texture", s.display_ms,
-                                    c.ui.upload_ms)},
+                                    c.ui.metrics.upload_ms)},
             {"Last change", fmt::format("{:.1f} ms", s.sync_ms)},
             {"Samples", fmt::format("{} of {}, {:.1f} M a second", s.samples,
                                     c.document.scene().render.samples, s.samples_per_second / 1e6)},

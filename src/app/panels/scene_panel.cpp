@@ -64,7 +64,7 @@ void draw_objects(PanelContext& c) {
     const std::vector<Object>& objects = c.document.scene().objects;
     std::vector<size_t> shown;
     for (size_t i = 0; i < objects.size(); ++i)
-        if (matches(display_name(objects[i]), c.ui.search)) shown.push_back(i);
+        if (matches(display_name(objects[i]), c.ui.tree.search)) shown.push_back(i);
     const ScenePtr scene = c.document.snapshot();  // rows may edit the scene while it is walked
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(shown.size()));
@@ -77,7 +77,7 @@ void draw_materials(PanelContext& c) {
     const ScenePtr scene = c.document.snapshot();
     for (const Material& m : scene->materials) {
         const std::string name = display_name(m);
-        if (!matches(name, c.ui.search)) continue;
+        if (!matches(name, c.ui.tree.search)) continue;
         ImGui::PushID(static_cast<int>(m.id.value));
         const Double3& color =
             m.kind == MaterialKind::DiffuseLight ? m.emission.color : m.color.color;
@@ -87,9 +87,9 @@ void draw_materials(PanelContext& c) {
         ImGui::ColorButton("##swatch", swatch, ImGuiColorEditFlags_NoTooltip, ImVec2(14, 14));
         ImGui::SameLine();
         if (ImGui::Selectable(name.c_str(),
-                              c.document.selection.empty() && c.ui.chosen_material == m.id)) {
+                              c.document.selection.empty() && c.ui.tree.chosen_material == m.id)) {
             c.document.selection.clear();
-            c.ui.chosen_material = m.id;
+            c.ui.tree.chosen_material = m.id;
         }
         ImGui::PopID();
     }
@@ -100,7 +100,8 @@ void draw_materials(PanelContext& c) {
 void draw_scene_tree(PanelContext& c) {
     if (ImGui::Begin("Scene")) {
         ImGui::SetNextItemWidth(-1);
-        ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search", &c.ui.search);
+        ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search",
+                                 &c.ui.tree.search);
         const Scene& scene = c.document.scene();
         if (ui::section(fmt::format("Objects ({})###objects", scene.objects.size()).c_str()))
             draw_objects(c);

@@ -13,6 +13,7 @@
 #include <cmath>
 
 // After imgui.h, which it needs.
+#include "../actions.h"
 #include "../fly_camera.h"
 #include "panels.h"
 
@@ -34,45 +35,41 @@ double default_speed(const Camera& camera) {
     return std::max(0.05, glm::distance(camera.look_from, camera.look_at) / 3);
 }
 
-double key(ImGuiKey positive, ImGuiKey negative) {
-    return (ImGui::IsKeyDown(positive) ? 1 : 0) - (ImGui::IsKeyDown(negative) ? 1 : 0);
+// The direction that two opposite held actions ask for: -1 to 1.
+double held_axis(const PanelContext& c, const char* positive, const char* negative) {
+    return (is_held(positive, c) ? 1 : 0) - (is_held(negative, c) ? 1 : 0);
 }
 
 // Keys and mouse while the picture has the focus. Returns true while the camera moves.
 bool fly_with_input(PanelContext& c, bool hovered) {
     const ImGuiIO& io = ImGui::GetIO();
-    static bool looking = false;
+    bool& looking = c.ui.viewport.is_looking;
     if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) looking = true;
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Right)) looking = false;
-    const bool typing = io.WantTextInput;
-    const bool keys =
-        (ImGui::IsWindowFocused() || looking) && !typing && !(io.KeyCtrl && !looking) && !io.KeyAlt;
+    const bool keys = (c.ui.viewport.has_focus || looking) && !io.WantTextInput &&
+                      !(io.KeyCtrl && !looking) && !io.KeyAlt;
     Camera camera = active_camera(c.document.scene());
-    if (c.ui.fly_speed <= 0) c.ui.fly_speed = default_speed(camera);
+    if (c.ui.viewport.fly_speed <= 0) c.ui.viewport.fly_speed = default_speed(camera);
 
     FlyInput input;
     if (keys) {
-        input.right = key(ImGuiKey_D, ImGuiKey_A);
-        input.forward = key(ImGuiKey_W, ImGuiKey_S);
-        input.up = std::clamp(
-            (ImGui::IsKeyDown(ImGuiKey_E) || ImGui::IsKeyDown(ImGuiKey_Space) ? 1.0 : 0.0) -
-                (ImGui::IsKeyDown(ImGuiKey_Q) || (looking && ImGui::IsKeyDown(ImGuiKey_LeftCtrl))
-                     ? 1.0
-                     : 0.0),
-            -1.0, 1.0);
+        input.right = held_axis(c, "fly.right", "fly.left");
+        input.forward = held_axis(c, "fly.forward", "fly.back");
+        input.up = held_axis(c, "fly.up", "fly.down");
     }
     if (looking) {
         input.yaw = static_cast<double>(io.MouseDelta.x) * 0.15;
         input.pitch = -static_cast<double>(io.MouseDelta.y) * 0.15;
     }
-    input.speed = c.ui.fly_speed * (io.KeyShift ? 4 : 1);
+    input.speed = c.ui.viewport.fly_speed * (is_held("fly.faster", c) ? 4 : 1);
     input.seconds = std::min(0.1, static_cast<double>(io.DeltaTime));
     Camera moved = fly(camera, input);
 
     if (hovered && io.MouseWheel != 0) {
         if (looking)
-            c.ui.fly_speed = std::clamp(
-                c.ui.fly_speed * std::pow(1.2, static_cast<double>(io.MouseWheel)), 1e-4, 1e6);
+            c.ui.viewport.fly_speed = std::clamp(
+                c.ui.viewport.fly_speed * std::pow(1.2, static_cast<double>(io.MouseWheel)), 1e-4,
+                1e6);
         else
             moved.vertical_fov =
                 std::clamp(moved.vertical_fov - 2 * static_cast<double>(io.MouseWheel), 1.0, 120.0);
@@ -83,7 +80,7 @@ bool fly_with_input(PanelContext& c, bool hovered) {
     if (hovered && ImGui::IsMouseDragging(ImGuiMouseButton_Middle, 0)) {
         const double distance = glm::distance(moved.look_from, moved.look_at);
         const double unit =
-            2 * distance * std::tan(moved.vertical_fov * kRadians / 2) / c.ui.view_height;
+            2 * distance * std::tan(moved.vertical_fov * kRadians / 2) / c.ui.viewport.height;
         const Double3 view = glm::normalize(moved.look_at - moved.look_from),
                       right = glm::normalize(glm::cross(view, moved.up));
         const Double3 shift = (glm::cross(right, view) * static_cast<double>(io.MouseDelta.y) -
@@ -95,39 +92,6 @@ bool fly_with_input(PanelContext& c, bool hovered) {
     if (moved == camera) return false;
     c.document.fly(moved);
     return true;
-}
-
-void frame_selection(PanelContext& c, bool all) {
-    Double3 low(1e30), high(-1e30);
-    for (const Object& o : c.document.scene().objects) {
-        if (!all && !c.document.is_selected(o.id)) continue;
-        const Extent e = extent_of(o);
-        if (all && e.radius > 50) continue;  // the ground would hide the rest
-        low = glm::min(low, e.center - e.radius);
-        high = glm::max(high, e.center + e.radius);
-    }
-    if (low.x > high.x) return;
-    const Camera camera =
-        frame(active_camera(c.document.scene()), (low + high) * 0.5, glm::distance(low, high) / 2);
-    c.document.edit("Frame", "", [&](Scene& s) {
-        if (Camera* target = find_camera(s, camera.id)) *target = camera;
-    });
-}
-
-void handle_keys(PanelContext& c) {
-    if (!ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput || ImGui::GetIO().KeyCtrl) return;
-    if (ImGui::IsKeyPressed(ImGuiKey_F, false)) frame_selection(c, false);
-    if (ImGui::IsKeyPressed(ImGuiKey_Home, false)) frame_selection(c, true);
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) c.document.selection.clear();
-    if (ImGui::IsKeyPressed(ImGuiKey_C, false)) {
-        const Camera start = active_camera(*c.document.history().front().scene);
-        c.document.edit("Reset camera", "", [&](Scene& s) {
-            if (Camera* target = find_camera(s, start.id)) *target = start;
-        });
-    }
-    if (ImGui::IsKeyPressed(ImGuiKey_Delete, false) && !c.document.selection.empty())
-        c.document.edit("Delete", "",
-                        [ids = c.document.selection](Scene& s) { delete_objects(s, ids); });
 }
 
 // Matrices for the gizmo, as OpenGL has them.
@@ -142,7 +106,7 @@ GizmoView gizmo_view(const Camera& camera, const ImageRect& rect) {
 
 // Moves, turns or scales the active object. Returns true while it is dragged.
 bool draw_gizmo(PanelContext& c, const ImageRect& rect) {
-    if (c.ui.tool == Tool::Select || c.document.selection.empty()) return false;
+    if (c.ui.viewport.tool == Tool::Select || c.document.selection.empty()) return false;
     const Object* object = find(c.document.scene(), c.document.selection.back());
     if (!object) return false;
     const GizmoView view = gizmo_view(active_camera(c.document.scene()), rect);
@@ -153,25 +117,26 @@ bool draw_gizmo(PanelContext& c, const ImageRect& rect) {
     const Double3 offset = extent.center - object->transform.translation;
     glm::mat4 matrix = glm::mat4(world_from_object(object->transform));
     matrix[3] = glm::vec4(glm::vec3(extent.center), 1);
-    const ImGuizmo::OPERATION operation = c.ui.tool == Tool::Move     ? ImGuizmo::TRANSLATE
-                                          : c.ui.tool == Tool::Rotate ? ImGuizmo::ROTATE
-                                                                      : ImGuizmo::SCALE;
-    const float step = c.ui.tool == Tool::Rotate ? 15.0f : 0.1f;
+    const ImGuizmo::OPERATION operation = c.ui.viewport.tool == Tool::Move     ? ImGuizmo::TRANSLATE
+                                          : c.ui.viewport.tool == Tool::Rotate ? ImGuizmo::ROTATE
+                                                                               : ImGuizmo::SCALE;
+    const float step = c.ui.viewport.tool == Tool::Rotate ? 15.0f : 0.1f;
     const float snap[3] = {step, step, step};
     const bool changed =
         ImGuizmo::Manipulate(glm::value_ptr(view.view), glm::value_ptr(view.projection), operation,
-                             c.ui.tool == Tool::Move ? ImGuizmo::WORLD : ImGuizmo::LOCAL,
-                             glm::value_ptr(matrix), nullptr, c.ui.snap ? snap : nullptr);
+                             c.ui.viewport.tool == Tool::Move ? ImGuizmo::WORLD : ImGuizmo::LOCAL,
+                             glm::value_ptr(matrix), nullptr, c.ui.viewport.snap ? snap : nullptr);
     if (changed) {
         float t[3], r[3], s[3];
         ImGuizmo::DecomposeMatrixToComponents(glm::value_ptr(matrix), t, r, s);
         Transform transform = object->transform;
-        if (c.ui.tool == Tool::Move) transform.translation = Double3(t[0], t[1], t[2]) - offset;
-        if (c.ui.tool == Tool::Rotate) transform.rotation = Double3(r[0], r[1], r[2]);
-        if (c.ui.tool == Tool::Scale)
+        if (c.ui.viewport.tool == Tool::Move)
+            transform.translation = Double3(t[0], t[1], t[2]) - offset;
+        if (c.ui.viewport.tool == Tool::Rotate) transform.rotation = Double3(r[0], r[1], r[2]);
+        if (c.ui.viewport.tool == Tool::Scale)
             transform.scale = glm::max(Double3(s[0], s[1], s[2]), Double3(1e-4));
         const char* names[] = {"", "Move", "Rotate", "Scale"};
-        const char* name = names[static_cast<int>(c.ui.tool)];
+        const char* name = names[static_cast<int>(c.ui.viewport.tool)];
         c.document.edit(fmt::format("{} {}", name, display_name(*object)),
                         fmt::format("gizmo {} {}", name, object->id.value), [&](Scene& scene) {
                             if (Object* o = find_object(scene, object->id))
@@ -242,11 +207,11 @@ void draw_viewport(PanelContext& c) {
     const bool open = ImGui::Begin(
         "Viewport", nullptr, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    c.ui.is_moving = false;
+    c.ui.viewport.is_moving = c.ui.viewport.has_focus = false;
     const ImVec2 space = ImGui::GetContentRegionAvail();
     if (open && space.x >= 1 && space.y >= 1) {
-        c.ui.view_width = static_cast<int>(space.x);
-        c.ui.view_height = static_cast<int>(space.y);
+        c.ui.viewport.width = static_cast<int>(space.x);
+        c.ui.viewport.height = static_cast<int>(space.y);
         const ImageRect rect{ImGui::GetCursorScreenPos(), space};
         if (c.texture.id())
             ImGui::Image(static_cast<ImTextureID>(c.texture.id()), space);
@@ -257,8 +222,10 @@ void draw_viewport(PanelContext& c) {
             (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2)))
             ImGui::SetWindowFocus();
 
-        c.ui.is_moving = draw_gizmo(c, rect);
-        const bool over_gizmo = c.ui.tool != Tool::Select && !c.document.selection.empty() &&
+        c.ui.viewport.has_focus = ImGui::IsWindowFocused();
+        c.ui.viewport.is_moving = draw_gizmo(c, rect);
+        const bool over_gizmo = c.ui.viewport.tool != Tool::Select &&
+                                !c.document.selection.empty() &&
                                 (ImGuizmo::IsOver() || ImGuizmo::IsUsing());
         if (hovered && !over_gizmo && !ImGui::GetIO().KeyAlt && ImGui::IsMouseClicked(0)) {
             const ImVec2 mouse = ImGui::GetMousePos();
@@ -270,8 +237,7 @@ void draw_viewport(PanelContext& c) {
             if (find(c.document.scene(), pick->object) || !pick->object)
                 c.document.select(pick->object, ImGui::GetIO().KeyShift);
         }
-        if (fly_with_input(c, hovered && !over_gizmo)) c.ui.is_moving = true;
-        handle_keys(c);
+        if (fly_with_input(c, hovered && !over_gizmo)) c.ui.viewport.is_moving = true;
         draw_selection(c, rect);
         draw_overlay(c, rect);
     }

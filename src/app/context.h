@@ -1,0 +1,96 @@
+// What a panel, an action or a dialog is given: the document, the renderer, the window, and the
+// state of the interface, which has a part for each panel. No copy of a scene value lives here.
+#pragma once
+
+#include "display_texture.h"
+#include "keymap.h"
+#include "preferences.h"
+#include "render_worker.h"
+#include "window.h"
+
+#include <teapath/core/log.h>
+#include <teapath/editor/document.h>
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+enum class Tool { Select, Move, Rotate, Scale };
+
+/// A short notice at the viewport's corner.
+struct Toast {
+    std::string text;
+    double until = 0;  // seconds of ImGui's clock
+    bool is_error = false;
+};
+
+struct ViewportState {
+    int width = 640;  // pixels of the picture
+    int height = 360;
+    bool is_moving = false;   // a flight or drag is under way in this frame
+    bool has_focus = false;   // keys of the viewport act
+    bool is_looking = false;  // the right button is held
+    double fly_speed = 0;     // scene units a second; 0 = to be set from the scene
+    Tool tool = Tool::Select;
+    bool snap = false;
+};
+
+struct SceneTreeState {
+    std::string search;
+    MaterialId chosen_material;  // shown in the inspector where no object is selected
+};
+
+struct ConsoleState {
+    std::vector<LogLine> lines;
+    std::string filter;
+    uint64_t cleared = 0;  // serial of the last line that Clear took away
+};
+
+/// The last frames' times, as rings.
+struct MetricsState {
+    static constexpr size_t kFrames = 240;
+    std::array<float, kFrames> interface_ms{};
+    std::array<float, kFrames> trace_ms{};
+    size_t frames = 0;  // since the start
+    double upload_ms = 0;
+};
+
+struct DialogState {
+    bool show_keys = false;
+    bool show_open = false, show_save_as = false, show_export = false;
+    std::string path_input;
+    std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
+};
+
+struct UiState {
+    Preferences preferences;
+    KeyMap keys;
+    bool paused = false;
+    bool reset_layout = false;
+    ViewportState viewport;
+    SceneTreeState tree;
+    ConsoleState console;
+    MetricsState metrics;
+    DialogState dialogs;
+    std::deque<Toast> toasts;
+};
+
+struct PanelContext {
+    Document& document;
+    RenderWorker& worker;
+    UiState& ui;
+    DisplayTexture& texture;
+    Window& window;
+    const RenderStatus& status;
+
+    /// Shows a notice for some seconds and writes it to the log.
+    void toast(const std::string& text, bool is_error = false);
+    void set_paused(bool paused);
+};
+
+}  // namespace tp

@@ -1,0 +1,88 @@
+#include "preferences.h"
+
+#include <teapath/core/log.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+namespace tp {
+namespace {
+
+using Json = nlohmann::json;
+
+// Takes the value of `key` where it is there and of the right type.
+template <class T>
+void take(const Json& json, const char* key, T& value) {
+    const auto found = json.find(key);
+    if (found == json.end()) return;
+    try {
+        value = found->get<T>();
+    } catch (const Json::exception&) {
+        log_warning("settings: {} is not what it should be and is left as it was", key);
+    }
+}
+
+}  // namespace
+
+void Preferences::remember_file(const std::filesystem::path& file) {
+    const std::string name = std::filesystem::absolute(file).lexically_normal().string();
+    std::erase(recent_files, name);
+    recent_files.insert(recent_files.begin(), name);
+    if (recent_files.size() > kMaxRecent) recent_files.resize(kMaxRecent);
+}
+
+std::filesystem::path configuration_folder() {
+    const char* xdg = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    std::filesystem::path folder = xdg && *xdg
+                                       ? std::filesystem::path(xdg)
+                                       : std::filesystem::path(home ? home : ".") / ".config";
+    folder /= "teapath";
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    return folder;
+}
+
+Preferences load_preferences(const std::filesystem::path& file) {
+    Preferences p;
+    std::ifstream in(file);
+    if (!in) return p;
+    const Json json = Json::parse(in, nullptr, false);
+    if (!json.is_object()) {
+        log_warning("settings: {} is broken; the defaults are used", file.string());
+        return p;
+    }
+    take(json, "dark_theme", p.dark_theme);
+    take(json, "interface_scale", p.interface_scale);
+    take(json, "seen_welcome", p.seen_welcome);
+    take(json, "autosave_minutes", p.autosave_minutes);
+    take(json, "recent_files", p.recent_files);
+    take(json, "keys", p.keys);
+    p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
+    p.autosave_minutes = std::clamp(p.autosave_minutes, 0, 60);
+    if (p.recent_files.size() > Preferences::kMaxRecent)
+        p.recent_files.resize(Preferences::kMaxRecent);
+    return p;
+}
+
+void save_preferences(const Preferences& p, const std::filesystem::path& file) {
+    const Json json = {{"dark_theme", p.dark_theme},     {"interface_scale", p.interface_scale},
+                       {"seen_welcome", p.seen_welcome}, {"autosave_minutes", p.autosave_minutes},
+                       {"recent_files", p.recent_files}, {"keys", p.keys}};
+    std::filesystem::path part = file;
+    part += ".part";
+    std::error_code error;
+    {
+        std::ofstream out(part);
+        out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+        if (!out.flush()) error = std::make_error_code(std::errc::io_error);
+    }
+    if (!error) std::filesystem::rename(part, file, error);
+    if (error) log_warning("settings: {} cannot be written ({})", file.string(), error.message());
+}
+
+}  // namespace tp

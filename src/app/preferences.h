@@ -1,0 +1,37 @@
+// What the program remembers of a user between starts: a JSON file in the configuration folder.
+// Nothing here belongs to a scene.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tp {
+
+struct Preferences {
+    bool dark_theme = true;
+    float interface_scale = 0;                               // 0 = from the monitor; else 0.75 to 3
+    bool seen_welcome = false;                               // the card of the first start
+    int autosave_minutes = 2;                                // 0 = off, up to 60
+    std::vector<std::string> recent_files;                   // the newest first, at most kMaxRecent
+    std::map<std::string, std::array<std::string, 2>> keys;  // see KeyMap::to_names
+
+    static constexpr size_t kMaxRecent = 12;
+
+    /// Puts a file at the head of the recent ones.
+    void remember_file(const std::filesystem::path& file);
+    friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// The user's folder for settings and layouts ($XDG_CONFIG_HOME or ~/.config, teapath); created.
+std::filesystem::path configuration_folder();
+
+/// What `file` holds; defaults for what is missing, and a line in the log where it is broken.
+Preferences load_preferences(const std::filesystem::path& file);
+
+/// Writes them whole or not at all; a failure is a line in the log.
+void save_preferences(const Preferences& preferences, const std::filesystem::path& file);
+
+}  // namespace tp
