@@ -17,15 +17,6 @@
 
 namespace tp {
 
-/// A finished picture: RGB bytes, row-major, top row first.
-struct DisplayFrame {
-    std::vector<uint8_t> rgb;
-    int width = 0;
-    int height = 0;
-    int64_t samples = 0;
-    uint64_t serial = 0;  // grows with each picture
-};
-
 struct RenderStatus {
     std::string backend;
     std::string error;  // of the renderer, for people; empty if all is well
@@ -56,8 +47,8 @@ public:
     void set_paused(bool paused);
     void restart();
 
-    /// The newest picture if it is newer than `serial`.
-    bool take_frame(uint64_t serial, DisplayFrame& frame);
+    /// The newest picture, once.
+    std::optional<DisplayImage> take_image();
     RenderStatus status() const;
 
     /// Asks which object lies at (x, y) of [0, 1]^2 of the picture; the answer comes later.
@@ -92,7 +83,7 @@ private:
     bool stopping_ = false;
     std::optional<Double2> pick_request_;
     std::optional<Pick> pick_;
-    DisplayFrame frame_;
+    std::optional<DisplayImage> image_;
     RenderStatus status_;
     std::atomic<Session*> session_ = nullptr;
 
