@@ -29,6 +29,11 @@ bool is_pressed(int chord, const PanelContext& c) {
     return ImGui::IsKeyChordPressed(chord);
 }
 
+void perform(const Action& a, PanelContext& c) {
+    c.ui.last_action = a.id;
+    a.run(c);
+}
+
 }  // namespace
 
 const std::vector<Action>& actions() {
@@ -49,7 +54,7 @@ bool is_enabled(const Action& action, const PanelContext& c) {
 
 void run_action(std::string_view id, PanelContext& c) {
     const Action& a = action(id);
-    if (a.run && is_enabled(a, c)) a.run(c);
+    if (a.run && is_enabled(a, c)) perform(a, c);
 }
 
 void run_shortcuts(PanelContext& c) {
@@ -62,7 +67,7 @@ void run_shortcuts(PanelContext& c) {
         const KeyMap::Chords chords = c.ui.keys.chords(a.id);
         if (std::any_of(chords.begin(), chords.end(), [&](int k) { return is_pressed(k, c); }) &&
             is_enabled(a, c))
-            a.run(c);
+            perform(a, c);
     }
 }
 
@@ -81,7 +86,7 @@ void draw_menu_items(PanelContext& c, std::string_view menu) {
         const std::string key = chord_name(c.ui.keys.chords(a.id)[0]);
         if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
                             is_enabled(a, c)))
-            a.run(c);
+            perform(a, c);
         if (a.help[0] != 0) ImGui::SetItemTooltip("%s", a.help);
     }
 }

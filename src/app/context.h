@@ -70,6 +70,7 @@ struct DialogState {
 struct UiState {
     Preferences preferences;
     KeyMap keys;
+    const char* last_action = "";  // the id of the action that ran last
     bool paused = false;
     bool reset_layout = false;
     ViewportState viewport;
