@@ -35,10 +35,14 @@ public:
     RenderStatus status;  // of the frame drawn last
 
 private:
+    void show_newest_picture(PanelContext& c);
+    void post_scene();
+
     std::filesystem::path preferences_file_;
     Preferences saved_preferences_;
-    DisplayFrame frame_;
     std::string title_;
+    ScenePtr posted_;  // what the renderer was given last
+    bool was_changed_ = false;
 };
 
 }  // namespace tp

@@ -2,7 +2,7 @@
 // state of the interface, which has a part for each panel. No copy of a scene value lives here.
 #pragma once
 
-#include "display_texture.h"
+#include "display/display_texture.h"
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
@@ -56,8 +56,8 @@ struct MetricsState {
     static constexpr size_t kFrames = 240;
     std::array<float, kFrames> interface_ms{};
     std::array<float, kFrames> trace_ms{};
-    size_t frames = 0;  // since the start
-    double upload_ms = 0;
+    size_t frames = 0;   // since the start
+    double show_ms = 0;  // from the renderer to the texture, of the last picture
 };
 
 struct DialogState {

@@ -42,9 +42,7 @@ RenderWorker::~RenderWorker() {
 void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,
                              bool is_moving) {
     const std::lock_guard lock(mutex_);
-    if (posted_.scene == scene && posted_.width == width && posted_.height == height &&
-        posted_.is_moving == is_moving)
-        return;
+    if (posted_.scene == scene && posted_.width == width && posted_.height == height) return;
     posted_ = {scene, width, height, is_moving, false};
     request_ = {std::move(scene), width, height, is_moving, request_.restart};
     has_request_ = true;

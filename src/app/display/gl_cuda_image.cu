@@ -95,7 +95,7 @@ private:
 
 class GlCudaImage::Registration {
 public:
-    explicit Registration(DisplayWay way) : way(way) {}
+    explicit Registration(DisplayWay used_for) : way(used_for) {}
     ~Registration() {
         if (resource) cudaGraphicsUnregisterResource(resource);
     }
