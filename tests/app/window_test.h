@@ -66,6 +66,8 @@ public:
     void resize(int width, int height);
     GLFWwindow* glfw() const;
 
+    /// Draws a frame with its pixels and returns them: RGB, top row first.
+    std::vector<uint8_t> draw_and_read(int& width, int& height);
     /// Saves a picture of the window, if pictures are wanted.
     void screenshot(const std::string& name);
     /// Textures that OpenGL holds now.
@@ -77,9 +79,8 @@ public:
     ImGuiTestEngineIO& engine_io() { return ImGuiTestEngine_GetIO(engine_); }
 
     std::unique_ptr<App> app;
-    bool draw_pixels = false;  // of each frame, not of every 64th
-    bool was_closed = false;   // the program would have ended
-    int gl_errors = 0;         // since the start
+    bool was_closed = false;  // the program would have ended
+    int gl_errors = 0;        // since the start
     std::string gl_error_text;
 
 private:
