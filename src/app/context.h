@@ -88,9 +88,16 @@ struct DialogState {
     bool show_settings = false;
     std::string key_to_set;  // id of the action that waits for its new key in the settings
     int key_slot = 0;        // which of its two
+    std::string key_search;
     bool show_open = false, show_save_as = false, show_export = false;
     std::string path_input;
     std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
+};
+
+/// What of the look is in force.
+struct AppliedLook {
+    bool dark = true;
+    float scale = 0;  // 0: not known yet
 };
 
 struct UiState {
@@ -104,6 +111,7 @@ struct UiState {
     ConsoleState console;
     MetricsState metrics;
     DialogState dialogs;
+    AppliedLook look;
     std::deque<Toast> toasts;
 };
 
