@@ -19,13 +19,14 @@ const std::vector<KeyRow>& mouse_rows() {
         {"Mouse", "Wheel", "Field of view", "From 1 to 120 degrees"},
         {"Mouse", "Right button and wheel", "Speed of flying", "It is shown for a second"},
         {"Mouse", "Middle drag", "Pan", "What is under the pointer follows it"},
-        {"Mouse", "Alt and left drag", "Orbit", "About what is under the pointer"},
+        {"Mouse", "Alt and left drag", "Orbit",
+         "About what is under the pointer; with Shift too where the desktop keeps Alt for itself"},
         {"Mouse", "Click", "Select", "A click on nothing selects nothing"},
         {"Mouse", "Shift and click", "Add to the selection", "Or take away from it"},
         {"Mouse", "Ctrl+Alt and click", "Focus", "Sets the distance that is sharp"},
-        {"Mouse", "Alt and wheel", "Zoom the picture",
+        {"Mouse", "Shift and wheel", "Zoom the picture",
          "At the pointer; lines between the pixels from 8 times on"},
-        {"Mouse", "Alt and middle drag", "Move the picture", "On the screen"}};
+        {"Mouse", "Shift and middle drag", "Move the picture", "On the screen"}};
     return rows;
 }
 

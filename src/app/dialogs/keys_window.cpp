@@ -9,7 +9,7 @@
 namespace tp {
 namespace {
 
-constexpr int kColumns = 3;
+constexpr size_t kMostColumns = 3;
 
 struct Group {
     std::string name;
@@ -25,26 +25,30 @@ std::vector<Group> grouped(const std::vector<KeyRow>& rows) {
     return groups;
 }
 
-// Lines that a column should have: as few as hold the groups in their order.
-size_t column_height(const std::vector<Group>& groups) {
-    const auto columns_at = [&](size_t height) {
-        size_t columns = 1, used = 0;
-        for (const Group& g : groups) {
-            const size_t lines = g.rows.size() + 2;
-            if (used > 0 && used + lines > height) {
-                ++columns;
-                used = 0;
-            }
-            used += lines;
+using Column = std::vector<Group>;
+
+// The groups in their order in as many columns as this height takes.
+std::vector<Column> columns_of_height(const std::vector<Group>& groups, size_t height) {
+    std::vector<Column> columns(1);
+    size_t used = 0;
+    for (const Group& g : groups) {
+        const size_t lines = g.rows.size() + 2;
+        if (used > 0 && used + lines > height) {
+            columns.emplace_back();
+            used = 0;
         }
-        return columns;
-    };
+        used += lines;
+        columns.back().push_back(g);
+    }
+    return columns;
+}
+
+// The lowest columns that hold the groups.
+std::vector<Column> lowest_columns(const std::vector<Group>& groups) {
     size_t height = 1;
-    while (columns_at(height) > kColumns)
+    while (columns_of_height(groups, height).size() > kMostColumns)
         ++height;
-    for (const Group& g : groups)
-        height = std::max(height, g.rows.size() + 2);
-    return height;
+    return columns_of_height(groups, height);
 }
 
 void draw_group(const Group& group, float key_width) {
@@ -52,35 +56,33 @@ void draw_group(const Group& group, float key_width) {
     for (const KeyRow& row : group.rows) {
         const float start = ImGui::GetCursorPosX();
         ImGui::TextUnformatted(row.keys.c_str());
-        if (!row.help.empty()) ImGui::SetItemTooltip("%s", row.help.c_str());
-        ImGui::SameLine(start + key_width);
+        ImGui::SetItemTooltip("%s", row.help.c_str());
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(start + key_width);
         ImGui::TextUnformatted(row.label.c_str());
-        if (!row.help.empty()) ImGui::SetItemTooltip("%s", row.help.c_str());
+        ImGui::SetItemTooltip("%s", row.help.c_str());
     }
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.5f});
 }
 
-void draw_columns(const std::vector<Group>& groups) {
-    float key_width = 0;
-    for (const Group& g : groups)
-        for (const KeyRow& row : g.rows)
-            key_width = std::max(key_width, ImGui::CalcTextSize(row.keys.c_str()).x);
-    key_width += ImGui::GetFontSize();
-    if (!ImGui::BeginTable("keys", kColumns, ImGuiTableFlags_SizingFixedFit)) return;
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    const size_t height = column_height(groups);
-    size_t used = 0;
-    for (const Group& g : groups) {
-        const size_t lines = g.rows.size() + 2;
-        if (used > 0 && used + lines > height) {
+void draw_columns(const std::vector<Column>& columns) {
+    const float gap = ImGui::GetFontSize();
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {gap, 2});
+    if (ImGui::BeginTable("keys", static_cast<int>(columns.size()),
+                          ImGuiTableFlags_SizingFixedFit)) {
+        ImGui::TableNextRow();
+        for (const Column& column : columns) {
             ImGui::TableNextColumn();
-            used = 0;
+            float key_width = 0;
+            for (const Group& g : column)
+                for (const KeyRow& row : g.rows)
+                    key_width = std::max(key_width, ImGui::CalcTextSize(row.keys.c_str()).x);
+            for (const Group& g : column)
+                draw_group(g, key_width + gap);
         }
-        used += lines;
-        draw_group(g, key_width);
+        ImGui::EndTable();
     }
-    ImGui::EndTable();
+    ImGui::PopStyleVar();
 }
 
 }  // namespace
@@ -94,7 +96,7 @@ void draw_keys_window(PanelContext& c) {
     if (ImGui::Begin("Keys", &c.ui.dialogs.show_keys,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoDocking |
                          ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_columns(grouped(key_table(c.ui.keys)));
+        draw_columns(lowest_columns(grouped(key_table(c.ui.keys))));
         ImGui::Separator();
         if (ImGui::Button("Change keys\xe2\x80\xa6")) c.ui.dialogs.show_settings = true;
         if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))

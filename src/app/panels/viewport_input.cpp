@@ -61,6 +61,7 @@ NavigationInput read_input(const PanelContext& c, bool is_hovered) {
     in.is_typing = io.WantTextInput || is_popup_open() || !c.ui.dialogs.key_to_set.empty();
     in.alt = io.KeyAlt;
     in.ctrl = io.KeyCtrl;
+    in.shift = io.KeyShift;
     in.left = button(ImGuiMouseButton_Left);
     in.middle = button(ImGuiMouseButton_Middle);
     in.right = button(ImGuiMouseButton_Right);

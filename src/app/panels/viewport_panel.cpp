@@ -10,6 +10,8 @@ namespace {
 
 constexpr ImU32 kSurround = IM_COL32(46, 46, 46, 255);  // about 18 % of the light of white
 
+constexpr int kFramesToSettle = 4;
+
 // The size that the picture is rendered at.
 void choose_size(PanelContext& c, const Double2& panel) {
     ViewportState& v = c.ui.viewport;
@@ -56,8 +58,10 @@ void draw_contents(PanelContext& c, const PlaceRect& panel) {
                        ImGui::IsMouseHoveringRect(im(panel.low), im(panel.low + panel.size));
     const bool clicked =
         ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-    if ((frame.is_hovered && clicked) || v.wants_focus) ImGui::SetWindowFocus();
-    v.wants_focus = false;
+    // Panels that appear take the keyboard: the viewport gets it after the first frames.
+    const bool gets_focus = v.wants_focus && ImGui::GetFrameCount() > kFramesToSettle;
+    if ((frame.is_hovered && clicked) || gets_focus) ImGui::SetWindowFocus();
+    if (gets_focus) v.wants_focus = false;
     v.has_focus = ImGui::IsWindowFocused();
 
     draw_picture(c, frame);
