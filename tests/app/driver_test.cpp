@@ -1,7 +1,6 @@
 // A random user: clicks, drags, keys, typing, wheel, files dropped, sizes, minimising. It ends
 // without a crash, an error of OpenGL or of the renderer, and undo leads back to the start. The
 // seed is printed and makes the same steps again; `--steps` and `--seed` choose them.
-#include "actions.h"
 #include "window_test.h"
 
 #include <teapath/io/scene_file.h>

@@ -115,9 +115,7 @@ TEST_CASE("layout: panels can be moved out and docked elsewhere, and a reset put
         ctx->DockInto("Inspector", "Console", ImGuiDir_Right);
         ctx->Yield(2);
         CHECK_FALSE(is_near(place_of("Inspector"), before[3]));
-        ctx->SetRef("##MainMenuBar");
-        ctx->ItemClick("##MenuBar/View");
-        ctx->ItemClick("//###Menu_00/###view.reset_layout");
+        t.click_menu(ctx, action("view.reset_layout"));
         ctx->Yield(4);
         for (int i = 0; i < 5; ++i) {
             INFO(std::string(panels[i]));

@@ -10,6 +10,7 @@
 #include <teapath/io/scene_file.h>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <exception>
@@ -127,10 +128,18 @@ WindowTest::WindowTest(const Scene& scene, int width, int height) {
 }
 
 WindowTest::~WindowTest() {
-    ImGuiTestEngine_Stop(engine_);
-    app.reset();
-    ImGuiTestEngine_DestroyContext(engine_);
+    close();
     CHECK_MESSAGE(gl_errors == 0, std::string(gl_error_text));
+}
+
+double WindowTest::close() {
+    if (!app) return 0;
+    ImGuiTestEngine_Stop(engine_);
+    const auto start = Clock::now();
+    app.reset();
+    const std::chrono::duration<double> seconds = Clock::now() - start;
+    ImGuiTestEngine_DestroyContext(engine_);
+    return seconds.count();
 }
 
 void WindowTest::draw_one_frame() {
@@ -200,6 +209,11 @@ bool WindowTest::yield_until(ImGuiTestContext* ctx, const std::function<bool()>&
         ctx->Yield();
     }
     return true;
+}
+
+void WindowTest::click_menu(ImGuiTestContext* ctx, const Action& action) {
+    ctx->SetRef("##MainMenuBar");
+    ctx->MenuClick(fmt::format("{}/###{}", action.menu, action.id).c_str());
 }
 
 GLFWwindow* WindowTest::glfw() const {
