@@ -47,6 +47,7 @@ void take_key(PanelContext& c) {
     if (chord == 0) return;
     if (chord != ImGuiKey_Escape) set_key(c, a, static_cast<size_t>(d.key_slot), chord);
     d.key_to_set.clear();
+    d.key_was_taken = true;
 }
 
 // What else the action's keys do, as text; empty for nothing.
