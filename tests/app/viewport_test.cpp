@@ -8,8 +8,10 @@
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 using namespace tp;
 using namespace tp::test;
@@ -46,6 +48,20 @@ void wait_for_scene(WindowTest& t) {
 
 const Object& object(const WindowTest& t, uint32_t id) {
     return *find(t.scene(), ObjectId{id});
+}
+
+// How often the colour changes from one pixel of the screen to the next along 300 of them.
+int changes_along_middle(WindowTest& t) {
+    int width = 0, height = 0;
+    t.app->window.draw();
+    const std::vector<unsigned char> pixels = t.app->window.read_pixels(width, height);
+    int changes = 0;
+    const int x = static_cast<int>(middle().x) - 150, y = static_cast<int>(middle().y) + 3;
+    for (int i = 0; i < 300; ++i) {
+        const auto at = static_cast<size_t>(3 * (y * width + x + i));
+        changes += !std::equal(&pixels[at], &pixels[at + 3], &pixels[at + 3]);
+    }
+    return changes;
 }
 
 // Where the ball in the middle is met by the ray through the middle of the picture.
@@ -279,7 +295,10 @@ TEST_CASE("viewport: the picture has the panel's size, or the scene file's with 
         drag(ctx, 2, ImGuiMod_Shift, {30, 10});
         CHECK(glm::distance(v.view.shift, shift) > 10);
         CHECK(t.camera() == active_camera(*t.app->document.history().front().scene));
-        t.between_frames(ctx, [&] { t.screenshot("pixel_grid"); });
+        t.between_frames(ctx, [&] {
+            t.screenshot("pixel_grid");
+            CHECK(changes_along_middle(t) < 80);
+        });
         ctx->KeyPress(ImGuiMod_Ctrl | ImGuiKey_0);
         CHECK(v.view == PictureView{});
     });

@@ -104,8 +104,10 @@ void draw_row(PanelContext& c, const Action& a) {
         ui::tooltip("As shipped");
         ImGui::SameLine();
     }
-    if (const std::string text = conflicts_of(c.ui.keys, a); !text.empty())
+    if (const std::string text = conflicts_of(c.ui.keys, a); !text.empty()) {
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", text.c_str());
+        ui::tooltip(text.c_str());
+    }
 }
 
 }  // namespace
