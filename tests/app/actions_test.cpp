@@ -4,7 +4,6 @@
 #include "window_test.h"
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include <set>
 #include <string>
@@ -56,20 +55,9 @@ TEST_CASE("actions: each one is in its menu and runs from there") {
             ctx->Yield();
             const PanelContext context = t.context();
             const bool enabled = is_enabled(a, context);
-            // "View/Bookmarks" is a menu and its submenu.
-            const std::string menu = a.menu;
-            const size_t slash = menu.find('/');
-            ctx->SetRef("##MainMenuBar");
-            ctx->ItemClick(("##MenuBar/" + menu.substr(0, slash)).c_str());
-            ctx->SetRef("//###Menu_00");
-            if (slash != menu.npos) {
-                ctx->ItemClick(menu.substr(slash + 1).c_str());
-                ctx->SetRef("//###Menu_01");
-            }
-            const std::string item = fmt::format("###{}", a.id);
-            CHECK(ctx->ItemExists(item.c_str()));
             if (enabled) {
-                ctx->ItemClick(item.c_str());
+                t.click_menu(ctx, a);
+                REQUIRE_FALSE(ctx->IsError());
                 CHECK(std::string(t.app->ui.last_action) == std::string(a.id));
                 ran.insert(a.id);
             }
