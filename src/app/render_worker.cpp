@@ -258,6 +258,7 @@ void RenderWorker::publish(Session& session, bool is_preview) {
     const uint64_t invalid_samples = session.counters().invalid_samples;
     const std::lock_guard lock(mutex_);
     status_.display_ms = seconds_since(start) * 1e3;
+    status_.scene = current_.scene;
     status_.samples = image.samples;
     status_.width = image.width;
     status_.height = image.height;

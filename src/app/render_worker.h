@@ -19,6 +19,7 @@
 namespace tp {
 
 struct RenderStatus {
+    std::shared_ptr<const Scene> scene;  // that the newest picture shows
     std::string backend;
     std::string error;  // of the renderer, for people; empty if all is well
     int64_t samples = 0;

@@ -69,7 +69,8 @@ TEST_CASE("layout: a thousand sizes, from nothing to large and odd, make no erro
     CHECK(t.frames_until([&] {
         return t.app->status.is_done && t.app->texture.width() == t.app->ui.viewport.width;
     }));
-    CHECK(t.live_textures() == textures);
+    // The picture keeps the textures of its last sizes, no more.
+    CHECK(t.live_textures() <= textures + static_cast<int>(DisplayTexture::kSlots) - 1);
     CHECK(t.app->ui.viewport.width > 500);
 }
 

@@ -7,17 +7,6 @@
 #include <utility>
 
 namespace tp {
-namespace {
-
-constexpr size_t kSlots = 4;
-
-void set_filter(unsigned texture, bool smooth) {
-    const GLint filter = smooth ? GL_LINEAR : GL_NEAREST;
-    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, filter);
-    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, filter);
-}
-
-}  // namespace
 
 // A texture of one size, with the buffer that fills it in the Buffer way.
 struct DisplayTexture::Slot {
@@ -26,6 +15,8 @@ struct DisplayTexture::Slot {
         glTextureStorage2D(texture, 1, GL_RGBA8, w, h);
         glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }
     ~Slot() {
         registration.reset();
@@ -164,7 +155,6 @@ DisplayTexture::Slot& DisplayTexture::slot_for(int width, int height) {
     if (found == slots_.end()) {
         if (slots_.size() >= kSlots) slots_.pop_back();
         slots_.push_back(std::make_unique<Slot>(width, height));
-        set_filter(slots_.back()->texture, smooth_);
         found = slots_.end() - 1;
     }
     std::rotate(slots_.begin(), found, found + 1);
@@ -189,12 +179,6 @@ std::vector<uint8_t> DisplayTexture::pixels() const {
     glGetTextureImage(slots_.front()->texture, 0, GL_RGB, GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(rgb.size()), rgb.data());
     return rgb;
-}
-
-void DisplayTexture::set_smooth(bool smooth) {
-    smooth_ = smooth;
-    for (const auto& slot : slots_)
-        set_filter(slot->texture, smooth);
 }
 
 }  // namespace tp

@@ -15,6 +15,9 @@ namespace tp {
 
 class DisplayTexture {
 public:
+    /// Textures that are kept at most.
+    static constexpr size_t kSlots = 4;
+
     DisplayTexture();
     ~DisplayTexture();
     DisplayTexture(const DisplayTexture&) = delete;
@@ -35,8 +38,6 @@ public:
 
     /// What is shown, read back: RGB bytes, top row first.
     std::vector<uint8_t> pixels() const;
-    /// Nearest shows pixels as they are; linear smooths a scaled picture.
-    void set_smooth(bool smooth);
 
     uint64_t id() const;
     int width() const;
@@ -60,7 +61,6 @@ private:
     DisplaySettings display_;
     bool is_new_ = false;
     DisplayImage download_;  // what is on its way through the host
-    bool smooth_ = true;
     DisplayWay way_ = DisplayWay::Auto, used_way_ = DisplayWay::Upload;
     bool shares_device_ = false;
     int64_t shown_samples_ = 0;
