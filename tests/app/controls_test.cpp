@@ -97,20 +97,30 @@ struct Exerciser {
                 if (ctx->ItemExists(item.ID)) ctx->ItemClick(item.ID);
                 check(name);
             } else {
-                continue;
+                press_or_choose_each(item, name);
             }
             ++controls;
         }
     }
 
-    // Every choice of every combo of a window.
-    void exercise_combos(const char* window, const std::vector<std::string>& labels) {
-        for (const std::string& label : labels) {
-            const std::string ref = fmt::format("//{}/**/##{}", window, label);
-            if (!ctx->ItemExists(ref.c_str())) continue;
-            ctx->ComboClickAll(ref.c_str());
-            check(fmt::format("{}: every {}", window, label));
-            ++controls;
+    // A button, or every choice of a combo. A heading is left as it was.
+    void press_or_choose_each(const ImGuiTestItemInfo& combo, const std::string& name) {
+        const auto is_open = [&] { return ctx->UiContext->OpenPopupStack.Size > 0; };
+        ctx->ItemClick(combo.ID);
+        ctx->Yield();
+        if (!is_open()) {
+            if (combo.StatusFlags & ImGuiItemStatusFlags_Openable) ctx->ItemClick(combo.ID);
+            return check(name);
+        }
+        ImGuiTestItemList choices;
+        ctx->GatherItems(&choices, "//$FOCUSED", -1);
+        ctx->PopupCloseAll();
+        for (const ImGuiTestItemInfo& choice : choices) {
+            if (ctx->IsError() || !ctx->ItemExists(combo.ID)) break;
+            ctx->ItemClick(combo.ID);
+            if (ctx->ItemExists(choice.ID)) ctx->ItemClick(choice.ID);
+            ctx->PopupCloseAll();
+            check(fmt::format("{}, {}", name, choice.DebugLabel));
         }
     }
 };

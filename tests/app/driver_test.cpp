@@ -280,7 +280,9 @@ TEST_CASE("driver: a random user ends well, and undo leads back to the start") {
     int done = 0;
     t.run([&](ImGuiTestContext* ctx) {
         RandomUser user(t, ctx, seed);
-        user.set_files({write_scene(small, "small.json"), shipped_scene("cornell_box")}, broken);
+        // Copies: what a user saves goes to the file that is open.
+        const Scene box = load_scene(shipped_scene("cornell_box"));
+        user.set_files({write_scene(small, "small.json"), write_scene(box, "box.json")}, broken);
         for (; done < steps && !ctx->IsError(); ++done) {
             last = user.step();
             INFO("seed ", seed, ", step ", done, ": ", last);
