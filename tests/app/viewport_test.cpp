@@ -53,8 +53,7 @@ const Object& object(const WindowTest& t, uint32_t id) {
 // How often the colour changes from one pixel of the screen to the next along 300 of them.
 int changes_along_middle(WindowTest& t) {
     int width = 0, height = 0;
-    t.app->window.draw();
-    const std::vector<unsigned char> pixels = t.app->window.read_pixels(width, height);
+    const std::vector<uint8_t> pixels = t.draw_and_read(width, height);
     int changes = 0;
     const int x = static_cast<int>(middle().x) - 150, y = static_cast<int>(middle().y) + 3;
     for (int i = 0; i < 300; ++i) {

@@ -14,7 +14,7 @@ namespace {
 constexpr ImU32 kText = IM_COL32(230, 230, 230, 255);
 constexpr ImU32 kError = IM_COL32(255, 140, 120, 255);
 constexpr ImU32 kOutlineShadow = IM_COL32(0, 0, 0, 150);
-constexpr size_t kMostOutlines = 1000;  // more of them would cost more than a frame has
+constexpr size_t kMostOutlines = 500;  // more of them would cost more than a frame has
 constexpr size_t kShadowedOutlines = 50;
 
 // Text on a dark plate; `at` is its top left.

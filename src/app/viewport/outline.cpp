@@ -53,6 +53,16 @@ SeenPolygon cut(const SeenPolygon& polygon, const Inside& inside) {
     return result;
 }
 
+// True where nothing is to be cut: all corners are before the camera and near the picture.
+bool is_in_frame(const SeenPolygon& polygon) {
+    double scale = 0;
+    for (const Seen& s : polygon)
+        scale = std::max(scale, std::abs(s.w));
+    return std::all_of(polygon.begin(), polygon.end(), [&](const Seen& s) {
+        return s.w > kNear * scale && std::abs(s.x) < kFrame * s.w && std::abs(s.y) < kFrame * s.w;
+    });
+}
+
 SeenPolygon cut_to_frame(SeenPolygon p) {
     double scale = 0;
     for (const Seen& s : p)
@@ -91,6 +101,7 @@ std::vector<Double2> hull(std::vector<Double2> points) {
 
 std::vector<Double3> circle(const Double3& center, const Double3& u, const Double3& v, int count) {
     std::vector<Double3> points;
+    points.reserve(static_cast<size_t>(count));
     for (int i = 0; i < count; ++i) {
         const double angle = 2 * kHalfTurn * i / count;
         points.push_back(center + u * std::cos(angle) + v * std::sin(angle));
@@ -229,13 +240,17 @@ std::vector<Double2> outline_of(const Object& object, const Camera& camera, doub
         return {};
 
     std::vector<Double2> points;
+    SeenPolygon polygon;
     for (const auto& face : solid.faces) {
-        SeenPolygon polygon;
+        polygon.clear();
         for (const Double3& p : face)
             polygon.push_back(project(p));
-        for (const Seen& s : cut_to_frame(polygon))
+        if (!is_in_frame(polygon)) polygon = cut_to_frame(polygon);
+        for (const Seen& s : polygon)
             points.emplace_back(s.x / s.w * 0.5 + 0.5, 0.5 - s.y / s.w * 0.5);
     }
+    // One face is its own outline.
+    if (solid.faces.size() == 1) return points.size() < 3 ? std::vector<Double2>{} : points;
     return hull(std::move(points));
 }
 
