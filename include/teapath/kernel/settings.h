@@ -7,6 +7,8 @@
 
 namespace tp {
 
+inline constexpr int kMaxPathDepth = 4096;
+
 struct PathSettings {
     IntegratorKind integrator = IntegratorKind::Path;
     int32_t max_depth = 50;      // path segments, 1 to 4096; 1 = emission seen by the camera only
