@@ -160,8 +160,10 @@ std::string end_text(const Session& session, int64_t pixels, double seconds) {
 
 void warn_of_invalid_samples(const RenderCounters& counters) {
     if (counters.invalid_samples == 0) return;
-    log_warning("{} of {} samples had NaN or infinite radiance and count as black",
-                counters.invalid_samples, counters.samples);
+    log_warning(
+        "{} of {} samples had a radiance that is NaN, infinite or beyond {:g}; they count "
+        "as black (look for such numbers in images, and for lights that are too strong)",
+        counters.invalid_samples, counters.samples, kMaxRadiance);
 }
 
 int render(const RenderOptions& options) {

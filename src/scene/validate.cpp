@@ -62,6 +62,10 @@ void check_background(const Background& b, ProblemList& problems) {
     problems.color("background.color", b.color);
     problems.finite("background.rotation", b.rotation);
     problems.not_negative("background.strength", b.strength, "strength");
+    if (b.kind == BackgroundKind::Constant)
+        problems.radiance("background", b.color, b.strength);
+    else if (b.kind == BackgroundKind::Gradient)
+        problems.radiance("background", glm::max(b.bottom, b.top), b.strength);
 }
 
 // The number of spheres at most, 0 where the size is a problem.

@@ -6,6 +6,7 @@
 #include <teapath/kernel/background.h>
 #include <teapath/kernel/camera_ray.h>
 #include <teapath/kernel/dimensions.h>
+#include <teapath/kernel/film_view.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/light.h>
 #include <teapath/kernel/material.h>
@@ -250,9 +251,9 @@ TP_HD void connect_to_light(const LaunchParams& params, const ShadowQuery& shado
         path.radiance += shadow.contribution * transmittance<kFeatures>(params, shadow);
 }
 
-/// Step 5: the path's radiance, black if it is not finite; then `is_valid` is false.
+/// Step 5: the path's radiance, black if it does not fit the film; then `is_valid` is false.
 TP_HD Vec3 finish_path(const PathState& path, bool& is_valid) {
-    is_valid = is_finite(path.radiance);
+    is_valid = fits_film(path.radiance);
     return is_valid ? path.radiance : Vec3(0, 0, 0);
 }
 
