@@ -26,7 +26,7 @@ from support import BACKEND, PROGRAM  # noqa: E402
 GOLDEN = os.path.join(HERE, "references", "golden")
 WIDTH = 160
 LIMIT = 0.98
-SAMPLES, GOLDEN_SAMPLES = 64, 4096
+SAMPLES, GOLDEN_SAMPLES = 64, 1024
 
 # Scenes with more noise than 64 samples bring down to where the limit tells a change from noise.
 MORE_SAMPLES = {}

@@ -185,8 +185,7 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     // The next direction.
     const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionBsdf);
     Real u3 = 0;
-    if ((material.kind == MaterialKind::Metal && bsdf.fuzz > 0) ||
-        settings.scatter == ScatterRule::CosineCubed)
+    if (samples_with_third_number(bsdf))
         u3 = sample_1d<kSobol>(sampler, dimension + kDimensionLobe);
     const BsdfSample next = bsdf_sample(bsdf, wo, u, u3);
     if (is_black(next.weight)) return false;

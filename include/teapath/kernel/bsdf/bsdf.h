@@ -24,6 +24,17 @@ TP_HD bool is_specular(const Bsdf& b) {
     return b.kind == MaterialKind::Dielectric || (b.kind == MaterialKind::Metal && b.fuzz <= 0);
 }
 
+/// True if bsdf_sample reads its third number; it is 0 otherwise, which saves making it.
+TP_HD bool samples_with_third_number(const Bsdf& b) {
+    switch (b.kind) {
+        case MaterialKind::Lambertian: return b.scatter == ScatterRule::CosineCubed;
+        case MaterialKind::Metal: return b.fuzz > 0;
+        case MaterialKind::Dielectric:
+        case MaterialKind::DiffuseLight: break;
+    }
+    return false;
+}
+
 /// f(wo, wi) |cos(wi)|, without delta lobes.
 TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
     switch (b.kind) {
