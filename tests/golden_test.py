@@ -24,9 +24,9 @@ from pictures import Png  # noqa: E402
 from support import BACKEND, PROGRAM  # noqa: E402
 
 GOLDEN = os.path.join(HERE, "references", "golden")
-WIDTH = 160
+WIDTH = 120
 LIMIT = 0.98
-SAMPLES, GOLDEN_SAMPLES = 64, 1024
+SAMPLES, GOLDEN_SAMPLES = 64, 512
 
 # Scenes with more noise than 64 samples bring down to where the limit tells a change from noise.
 MORE_SAMPLES = {}
