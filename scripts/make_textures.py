@@ -242,11 +242,18 @@ def wood(size=512):
     return srgb(color * np.where(gap, 0.25, 1)[..., None])
 
 
+def corners():
+    """Four texels whose bilinear blend is the first picture of Ray Tracing in One Weekend: red grows to
+    the right, green upwards, blue stays 0.25. Linear values, not sRGB."""
+    return np.array([[[0, 1, 0.25], [1, 1, 0.25]], [[0, 0, 0.25], [1, 0, 0.25]]])
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
     folder = sys.argv[1]
     os.makedirs(folder, exist_ok=True)
+    write_png(os.path.join(folder, "corners.png"), corners())
     write_png(os.path.join(folder, "globe.png"), globe())
     write_png(os.path.join(folder, "logo.png"), logo())
     write_png(os.path.join(folder, "logo_tile.png"), logo_tile())

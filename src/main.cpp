@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -41,6 +42,8 @@ void print_error(const char* text) {
 
 int main(int argc, char** argv) {
     open_standard_streams();
+    // A shell's limit on the size of files is a failed write, not the end.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         if (const auto code = tp::run_window_command(argc, argv)) return *code;
         return tp::run_command_line(argc, argv);

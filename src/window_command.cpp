@@ -6,6 +6,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -41,7 +42,9 @@ std::optional<int> run_window_command(int argc, char** argv) {
     } catch (const CLI::Success& success) {
         return parser.exit(success);
     } catch (const CLI::ParseError& error) {
-        throw Error(ErrorKind::Usage, error.what(), "", "see teapath --help");
+        throw Error(ErrorKind::Usage, error.what(), "",
+                    fmt::format("to render it: teapath render {} -o image.png; see teapath --help",
+                                names_scene ? argv[1] : "scene.json"));
     }
     return run_app(options);
 }

@@ -1,12 +1,12 @@
 // The JSON Schema against the reader: the same keys, types, defaults and names, both ways; the
 // schema accepts every shipped and every saved scene, and refuses what the reader refuses.
 #include "../src/io/scene_fields.h"
-#include "../src/io/shape_types.h"
 #include "support/json_schema.h"
 #include "support/shipped_scenes.h"
 
 #include <teapath/core/error.h>
 #include <teapath/io/scene_file.h>
+#include <teapath/io/shape_types.h>
 
 #include <doctest/doctest.h>
 

@@ -101,6 +101,8 @@ TEST_CASE("--set: mistakes are named, with the nearest name") {
     fails("rendr.max_depth", "3", "did you mean \"render\"?");
     fails("render.width", "wide", "expected a number, found a string");
     fails("render.width", "0", "out of range");
+    fails("camera.vertical_fov", "1e400", "1e400 is too large");
+    fails("camera.vertical_fov", "NaN", "expected a number");
     fails("render.width.x", "0", "goes on behind a plain value");
     fails("render..width", "0", "empty part");
     fails("render.", "0", "empty part");

@@ -31,6 +31,20 @@ Scene closed_furnace(double albedo) {
     return maker.scene;
 }
 
+// What each bounce brings to the picture's mean: the difference that one more segment makes.
+std::vector<double> ledger_by_bounce(Scene scene, int bounces) {
+    scene.render.path.roulette_depth = 0;
+    std::vector<double> ledger;
+    double before = 0;
+    for (int depth = 1; depth <= bounces; ++depth) {
+        scene.render.path.max_depth = depth;
+        const double total = mean(render(scene, 64));
+        ledger.push_back(total - before);
+        before = total;
+    }
+    return ledger;
+}
+
 }  // namespace
 
 TEST_CASE("AC-F1: a lossless material in a white furnace is invisible") {
@@ -100,15 +114,82 @@ TEST_CASE("AC-F2: cut after 12 segments the furnace holds 12 terms, light sampli
 }
 
 TEST_CASE("T26: the ledger of energy by bounce: bounce k brings albedo^k") {
-    double before = 0;
-    for (int depth = 1; depth <= 6; ++depth) {
-        Scene scene = closed_furnace(0.7);
-        scene.render.path.max_depth = depth;
-        scene.render.path.roulette_depth = 0;
-        const double total = mean(render(scene, 64));
+    const std::vector<double> ledger = ledger_by_bounce(closed_furnace(0.7), 6);
+    for (size_t k = 0; k < ledger.size(); ++k) {
+        CAPTURE(k);
+        CHECK(ledger[k] == doctest::Approx(std::pow(0.7, static_cast<double>(k))).epsilon(0.02));
+    }
+}
+
+TEST_CASE("T26: emission ends the path of a light that scatters nothing") {
+    SceneMaker maker;
+    maker.sphere({0, 0, 0}, 10, maker.light(1, EmissionSide::Both));
+    const std::vector<double> ledger = ledger_by_bounce(maker.scene, 4);
+    CHECK(ledger[0] == 1);
+    for (size_t k = 1; k < ledger.size(); ++k)
+        CHECK(ledger[k] == 0);
+}
+
+TEST_CASE("T26: what metal scatters below its surface is gone, and nothing else") {
+    const auto ledger = [](double fuzz) {
+        SceneMaker maker;
+        Material m;
+        m.kind = MaterialKind::Metal;
+        m.color.color = Double3(1);
+        m.fuzz = fuzz;
+        m.emits = true;
+        m.emission.color = Double3(1);
+        m.side = EmissionSide::Both;
+        // From near the wall many rays graze it.
+        maker.camera().look_from = {0, 0, 9.5};
+        maker.camera().look_at = {0, 1, 9.5};
+        maker.camera().up = {0, 0, 1};
+        maker.camera().vertical_fov = 90;
+        maker.scene.render.width = 32;
+        maker.scene.render.height = 24;
+        maker.sphere({0, 0, 0}, 10, maker.material(m));
+        return ledger_by_bounce(maker.scene, 6);
+    };
+    for (const double brought : ledger(0))
+        CHECK(brought == doctest::Approx(1).epsilon(1e-4));
+    const std::vector<double> fuzzy = ledger(1);
+    CHECK(fuzzy[0] == doctest::Approx(1).epsilon(1e-5));
+    CHECK(fuzzy[1] < 0.99);
+    CHECK(fuzzy[1] > 0.5);
+    for (size_t k = 1; k < fuzzy.size(); ++k)
+        CHECK(fuzzy[k] < fuzzy[k - 1]);
+}
+
+TEST_CASE(
+    "T26: light is spent or escapes: with an open sky the ledger sums to what a path can meet") {
+    // A white ball under a white sky: whatever the number of bounces, all light is found once.
+    SceneMaker maker;
+    maker.background(1);
+    maker.sphere({0, 0, 0}, 1, maker.lambertian(1));
+    maker.sphere({1.5, 0, 0}, 0.8, maker.lambertian(1));
+    maker.sphere({-1.4, 0.2, 0}, 0.7, maker.metal(1, 0));
+    maker.scene.render.width = 24;
+    maker.scene.render.height = 18;
+    const std::vector<double> ledger = ledger_by_bounce(maker.scene, 40);
+    double sum = 0;
+    for (const double brought : ledger) {
+        CHECK(brought >= -1e-6);
+        sum += brought;
+    }
+    CHECK(sum == doctest::Approx(1).epsilon(1e-3));
+    CHECK(ledger.back() < 1e-4);
+}
+
+TEST_CASE("T24: every depth from 1 to 50 holds that many terms of the series") {
+    Scene scene = closed_furnace(0.9);
+    scene.render.width = 24;
+    scene.render.height = 18;
+    scene.render.path.roulette_depth = 0;
+    for (int depth = 1; depth <= 50; ++depth) {
         CAPTURE(depth);
-        CHECK(total - before == doctest::Approx(std::pow(0.7, depth - 1)).epsilon(0.02));
-        before = total;
+        scene.render.path.max_depth = depth;
+        CHECK(mean(render(scene, 8)) ==
+              doctest::Approx((1 - std::pow(0.9, depth)) / 0.1).epsilon(0.01));
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -130,6 +132,37 @@ TEST_CASE("generate: T37's rule of colours, and that of the thesis' text") {
     CHECK(lambertian[1] == doctest::Approx(1.0 / 3).epsilon(0.05));  // E[u^2]
     CHECK(metal[0] == doctest::Approx(0.75).epsilon(0.05));          // E[0.5 (1 + u)]
     CHECK(metal[1] == doctest::Approx(0.5).epsilon(0.05));           // E[(u + 0.5) / 2]
+}
+
+TEST_CASE("T37: over 1000 seeds the materials have their probabilities, counts within 3 sigma") {
+    SphereGrid grid;
+    grid.columns = grid.rows = 10;
+    constexpr int kSeeds = 1000, kSpheres = 100;
+    const double wanted[3] = {0.8, 0.15, 0.05};
+    int total[3] = {0, 0, 0}, outside[3] = {0, 0, 0};
+    double fuzz = 0;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        grid.seed = static_cast<uint64_t>(seed);
+        int count[3] = {0, 0, 0};
+        for (const Material& m : expand_generators(grid_scene(grid)).materials) {
+            ++count[static_cast<int>(m.kind)];  // in the order of the probabilities
+            fuzz = std::max(fuzz, m.fuzz);
+        }
+        for (int k = 0; k < 3; ++k) {
+            total[k] += count[k];
+            const double sigma = std::sqrt(kSpheres * wanted[k] * (1 - wanted[k]));
+            outside[k] += std::abs(count[k] - kSpheres * wanted[k]) > 3 * sigma;
+        }
+    }
+    constexpr double kAll = kSeeds * kSpheres;
+    for (int k = 0; k < 3; ++k) {
+        CAPTURE(k);
+        const double sigma = std::sqrt(kAll * wanted[k] * (1 - wanted[k]));
+        CHECK(std::abs(total[k] - kAll * wanted[k]) < 3 * sigma);
+        CHECK(outside[k] < 15);  // a few in a thousand; the binomial of 5 in 100 has a tail
+    }
+    CHECK(fuzz <= 0.5);
+    CHECK(fuzz > 0.49);
 }
 
 TEST_CASE("generate: the shipped scenes have as many spheres as their names say") {

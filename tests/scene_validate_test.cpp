@@ -129,6 +129,11 @@ TEST_CASE("validate: the background") {
     check_fatal("background.top[1]", "not finite", [](Scene& s) { s.background.top.y = kNan; });
     check_fatal("background.color", "negative", [](Scene& s) { s.background.color = {-1, 0, 0}; });
     check_fatal("background.strength", "negative", [](Scene& s) { s.background.strength = -1; });
+    check_fatal("background", "a radiance of 1e+15 is too much", [](Scene& s) {
+        s.background.kind = BackgroundKind::Constant;
+        s.background.color = Double3(1e12);
+        s.background.strength = 1e3;
+    });
     check_fatal("background.rotation", "not finite",
                 [](Scene& s) { s.background.rotation = kInf; });
 }
@@ -151,6 +156,11 @@ TEST_CASE("validate: materials and textures") {
     check_fatal("materials.paint.strength", "negative", [](Scene& s) {
         s.materials[0].emits = true;
         s.materials[0].strength = -1;
+    });
+    check_fatal("materials.paint.emission", "a radiance of 1e+15 is too much", [](Scene& s) {
+        s.materials[0].emits = true;
+        s.materials[0].emission.color = {1, 1, 1e14};
+        s.materials[0].strength = 10;
     });
     check_fatal("materials.paint.color", "negative", [](Scene& s) {
         s.materials[0].color = {{-1, 0, 0}, {}};

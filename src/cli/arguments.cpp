@@ -2,13 +2,13 @@
 
 #include <teapath/core/error.h>
 #include <teapath/render/backend_names.h>
+#include <teapath/scene/scene.h>
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace tp {
@@ -66,9 +66,8 @@ ImageSize parse_size(const std::string& option, const std::string& text) {
     if (!is_digits(width) || !is_digits(height))
         throw Error(ErrorKind::Usage, fmt::format("'{}' is not a size", text), option,
                     "give width and height in pixels, as in 1920x1080");
-    constexpr int64_t kMost = std::numeric_limits<int>::max();
-    return {static_cast<int>(parse_whole(option, width, 1, kMost)),
-            static_cast<int>(parse_whole(option, height, 1, kMost))};
+    return {static_cast<int>(parse_whole(option, width, 1, kMaxImageSide)),
+            static_cast<int>(parse_whole(option, height, 1, kMaxImageSide))};
 }
 
 uint64_t parse_seed(const std::string& option, const std::string& text) {

@@ -22,7 +22,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -44,6 +43,7 @@ Examples:
   teapath render scenes/cornell_box.json -o box.png --set display.exposure=1.5)";
 
 constexpr int kMaxThreads = 1024;
+constexpr int kMaxDevice = 1023;
 
 // The options as typed.
 struct Words {
@@ -87,7 +87,6 @@ void add_options(CLI::App& parser, Words& words) {
 }
 
 RenderOptions parse_options(const Words& words) {
-    constexpr int kMost = std::numeric_limits<int>::max();
     const auto whole = [](const char* option, const std::optional<std::string>& word, int low,
                           int high) -> std::optional<int> {
         if (!word) return std::nullopt;
@@ -99,10 +98,10 @@ RenderOptions parse_options(const Words& words) {
                     "as in teapath render scene.json -o image.png");
     options.scene = *words.scene;
     options.outputs.assign(words.outputs.begin(), words.outputs.end());
-    options.samples = whole("--spp", words.spp, 1, kMost);
+    options.samples = whole("--spp", words.spp, 1, kMaxSamples);
     if (words.time) options.seconds = parse_seconds("--time", *words.time);
     if (words.size) options.size = parse_size("--size", *words.size);
-    options.depth = whole("--depth", words.depth, 1, kMost);
+    options.depth = whole("--depth", words.depth, 1, kMaxPathDepth);
     if (words.seed) options.seed = parse_seed("--seed", *words.seed);
     options.camera = words.camera;
     options.settings = words.settings;
@@ -111,7 +110,7 @@ RenderOptions parse_options(const Words& words) {
     options.quiet = words.quiet;
 
     // Who names a device means it: no falling back to the host.
-    if (const auto device = whole("--device", words.device, 0, kMost)) {
+    if (const auto device = whole("--device", words.device, 0, kMaxDevice)) {
         options.device = *device;
         if (options.backend == BackendKind::Host)
             throw Error(ErrorKind::Usage, "the host backend has no device numbers", "--device",
@@ -161,8 +160,10 @@ std::string end_text(const Session& session, int64_t pixels, double seconds) {
 
 void warn_of_invalid_samples(const RenderCounters& counters) {
     if (counters.invalid_samples == 0) return;
-    log_warning("{} of {} samples had NaN or infinite radiance and count as black",
-                counters.invalid_samples, counters.samples);
+    log_warning(
+        "{} of {} samples had a radiance that is NaN, infinite or beyond {:g}; they count "
+        "as black (look for such numbers in images, and for lights that are too strong)",
+        counters.invalid_samples, counters.samples, kMaxRadiance);
 }
 
 int render(const RenderOptions& options) {

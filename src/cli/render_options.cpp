@@ -37,9 +37,8 @@ CameraId camera_named(const Scene& scene, const std::string& name) {
 
 // The option that set what a path in the scene's JSON names.
 std::string option_of(const std::string& where, const RenderOptions& options) {
-    if (options.size && (where == "render.width" || where == "render.height")) return "--size";
-    if (options.samples && where == "render.samples") return "--spp";
-    if (options.depth && where.ends_with("max_depth")) return "--depth";
+    // "render" is the number of pixels; the other options were in range when they were read.
+    if (options.size && where == "render") return "--size";
     return "--set " + where;
 }
 

@@ -1,28 +1,23 @@
 #include "scene_report.h"
 
 #include <teapath/device/scene_arrays.h>
+#include <teapath/io/shape_types.h>
 #include <teapath/scene/enum_tables.h>
 
 #include <algorithm>
 #include <array>
 #include <set>
-#include <string_view>
-#include <variant>
 
 namespace tp {
 namespace {
 
-// In the order of the variant Shape, as scene files call them.
-constexpr std::array<std::string_view, std::variant_size_v<Shape>> kShapeNames = {
-    "sphere", "xy_rect", "xz_rect", "yz_rect", "rectangle", "box", "disk", "triangle"};
-
 KindCounts count_shapes(const std::vector<Object>& objects) {
-    std::array<int64_t, kShapeNames.size()> counts{};
+    std::array<int64_t, kShapeTypes.size()> counts{};
     for (const Object& object : objects)
         ++counts[object.shape.index()];
     KindCounts found;
     for (size_t i = 0; i < counts.size(); ++i)
-        if (counts[i] > 0) found.emplace_back(kShapeNames[i], counts[i]);
+        if (counts[i] > 0) found.emplace_back(kShapeTypes[i], counts[i]);
     return found;
 }
 

@@ -1,4 +1,5 @@
 #include "exr_file.h"
+#include "image_checks.h"
 #include "whole_file.h"
 
 #include <teapath/core/error.h>
@@ -22,34 +23,6 @@ struct StbFree {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
 
-// Walks the run-length coding of a Radiance file, for stb's decoder would turn for ever on a run of
-// no pixels, which is also what it reads behind the end of a file cut short.
-bool has_whole_runs(std::string_view bytes, int width, int height) {
-    if (width < 8 || width >= 32768) return true;  // never coded in runs
-    const size_t header_end = bytes.find("\n\n");
-    const size_t line_end =
-        header_end == bytes.npos ? bytes.npos : bytes.find('\n', header_end + 2);
-    if (line_end == bytes.npos || bytes.find('\0') < line_end) return false;
-    size_t at = line_end + 1;
-    const auto byte = [&](size_t i) { return static_cast<uint8_t>(bytes[i]); };
-    for (int row = 0; row < height; ++row) {
-        if (at + 4 > bytes.size()) return false;
-        const bool coded = byte(at) == 2 && byte(at + 1) == 2 && byte(at + 2) < 128;
-        if (!coded) return row == 0;  // plain pixels from the first row on
-        at += 4;
-        for (int channel = 0; channel < 4; ++channel) {
-            for (int x = 0; x < width;) {
-                if (at + 2 > bytes.size()) return false;
-                const int code = byte(at), count = code > 128 ? code - 128 : code;
-                if (count == 0 || count > width - x) return false;
-                at += code > 128 ? 2 : static_cast<size_t>(count) + 1;
-                x += count;
-            }
-        }
-    }
-    return at <= bytes.size();
-}
-
 // Pixels that stb decoded, in the bit depth of the file.
 Image read_stb(const std::string& bytes, const std::string& file) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -63,21 +36,24 @@ Image read_stb(const std::string& bytes, const std::string& file) {
                     fmt::format("the image has {} x {} pixels, which is too many", width, height),
                     file, "at most 268,435,456");
 
+    const bool is_hdr = stbi_is_hdr_from_memory(data, size) != 0;
+    if ((is_hdr && !has_whole_runs(bytes, width, height)) || !has_sound_huffman_tables(bytes))
+        throw Error(ErrorKind::Input, "the image is damaged or cut short", file, "export it again");
+
     Image image;
     std::unique_ptr<void, StbFree> pixels;
-    if (stbi_is_hdr_from_memory(data, size)) {
-        if (!has_whole_runs(bytes, width, height))
-            throw Error(ErrorKind::Input, "the image is damaged or cut short", file,
-                        "export it again");
+    const int wanted = is_pic(bytes) ? 4 : 0;  // 0: as many channels as there are
+    if (is_hdr) {
         image.format = PixelFormat::F32;
-        pixels.reset(stbi_loadf_from_memory(data, size, &width, &height, &channels, 0));
-    } else if (stbi_is_16_bit_from_memory(data, size)) {
+        pixels.reset(stbi_loadf_from_memory(data, size, &width, &height, &channels, wanted));
+    } else if (stbi_is_16_bit_from_memory(data, size) || is_psd_of_16_bits(bytes)) {
         image.format = PixelFormat::U16;
-        pixels.reset(stbi_load_16_from_memory(data, size, &width, &height, &channels, 0));
+        pixels.reset(stbi_load_16_from_memory(data, size, &width, &height, &channels, wanted));
     } else {
         image.format = PixelFormat::U8;
-        pixels.reset(stbi_load_from_memory(data, size, &width, &height, &channels, 0));
+        pixels.reset(stbi_load_from_memory(data, size, &width, &height, &channels, wanted));
     }
+    if (wanted) channels = wanted;
     if (!pixels)
         throw Error(ErrorKind::Input,
                     fmt::format("the image is damaged ({})", stbi_failure_reason()), file,

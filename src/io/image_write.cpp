@@ -97,8 +97,12 @@ Bytes write_bmp(const Picture& p) {
 
 Bytes write_tga(const Picture& p) {
     Bytes tga;
-    return stbi_write_tga_to_func(append, &tga, p.width, p.height, 3, p.display.data()) ? tga
-                                                                                        : Bytes{};
+    if (!stbi_write_tga_to_func(append, &tga, p.width, p.height, 3, p.display.data())) return {};
+    // The "image ID" after the header of 18 bytes holds 255; the header's first byte is its length.
+    const Bytes id = metadata_lines(p, "").substr(0, 255);
+    tga[0] = static_cast<char>(id.size());
+    tga.insert(18, id);
+    return tga;
 }
 
 Bytes write_ppm_binary(const Picture& p) {

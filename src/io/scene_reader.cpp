@@ -1,11 +1,11 @@
 #include "scene_reader.h"
 
 #include "scene_fields.h"
-#include "shape_types.h"
 
 #include <teapath/core/color.h>
 #include <teapath/core/error.h>
 #include <teapath/core/nearest_name.h>
+#include <teapath/io/shape_types.h>
 
 #include <fmt/format.h>
 

@@ -98,9 +98,9 @@ private:
         const std::string nearest = nearest_name(word, names);
         fail(path_, fmt::format("there is no element \"{}\"", word),
              !nearest.empty() ? fmt::format("did you mean \"{}\"?", nearest)
-             : list.empty()
-                 ? std::string("the list is empty")
-                 : fmt::format("the list has {} elements, numbered from 0", list.size()));
+             : list.empty()   ? std::string("the list is empty")
+                            : fmt::format("the list has {} element{}, numbered from 0", list.size(),
+                                          list.size() == 1 ? "" : "s"));
     }
 
     std::string_view path_, rest_;
@@ -148,6 +148,12 @@ bool is_setting_alone(std::string_view path) {
     return std::find(kAlone.begin(), kAlone.end(), head) != kAlone.end();
 }
 
+bool is_number_out_of_range(std::string_view text) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc::result_out_of_range && end == text.data() + text.size();
+}
+
 Scene without_things(Scene scene) {
     scene.objects.clear();
     scene.generators.clear();
@@ -161,15 +167,19 @@ Scene without_things(Scene scene) {
 Scene with_setting(const Scene& scene, std::string_view path, std::string_view value) {
     // A value is JSON; a bare word is a string.
     Json parsed = Json::parse(value, nullptr, false);
-    if (parsed.is_discarded()) parsed = std::string(value);
+    if (parsed.is_discarded()) {
+        if (is_number_out_of_range(value))
+            fail(path, fmt::format("{} is too large", value), "numbers stay below 1e15");
+        parsed = std::string(value);
+    }
 
     const bool alone = is_setting_alone(path);
     Json json = json_of_scene(alone ? without_things(scene) : scene, true);
     std::string full_path(path);
     alias_cameras(json, scene, full_path);
     place_of(json, full_path) = std::move(parsed);
+    const std::string name = fmt::format("--set {}", path);
     try {
-        const std::string name = fmt::format("--set {}", path);
         Scene changed = scene_of_json(json, name);
         changed.origin = scene.origin;
         if (alone) {
@@ -182,7 +192,11 @@ Scene with_setting(const Scene& scene, std::string_view path, std::string_view v
         load_images(changed, name, &scene);
         return changed;
     } catch (const Error& error) {
-        throw Error(ErrorKind::Usage, error.what());
+        // The place need not be said twice.
+        std::string what = error.what();
+        const std::string twice = fmt::format("{}: {}: ", name, full_path);
+        if (what.starts_with(twice)) what.erase(name.size(), twice.size() - 2 - name.size());
+        throw Error(ErrorKind::Usage, what);
     }
 }
 

@@ -1,7 +1,8 @@
 #include "scene_writer.h"
 
 #include "scene_fields.h"
-#include "shape_types.h"
+
+#include <teapath/io/shape_types.h>
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -92,6 +93,14 @@ public:
     void color(const Place& where, const Double3& color) {
         if (finite(where, color) && (color.x < 0 || color.y < 0 || color.z < 0))
             fatal(where, "a colour has a negative part", "colours are 0 or more");
+    }
+
+    /// What a light gives off: its colour times its strength.
+    void radiance(const Place& where, const Double3& color, double strength) {
+        const double most = std::max({color.x, color.y, color.z}) * strength;
+        if (most > kMaxRadiance && most <= kLargest * kLargest)
+            fatal(where, fmt::format("a radiance of {:g} is too much", most),
+                  fmt::format("colour times strength is {:g} at most", kMaxRadiance));
     }
 
 private:

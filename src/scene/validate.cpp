@@ -6,18 +6,17 @@
 namespace tp {
 namespace {
 
-constexpr int64_t kMaxPixels = int64_t{1} << 28;
 constexpr int64_t kMaxGenerated = 20'000'000;
 
 void check_render(const RenderSettings& r, ProblemList& problems) {
-    const bool width = problems.in_range("render.width", r.width, 1, 65536),
-               height = problems.in_range("render.height", r.height, 1, 65536);
-    if (width && height && int64_t{r.width} * r.height > kMaxPixels)
+    const bool width = problems.in_range("render.width", r.width, 1, kMaxImageSide),
+               height = problems.in_range("render.height", r.height, 1, kMaxImageSide);
+    if (width && height && int64_t{r.width} * r.height > kMaxImagePixels)
         problems.fatal("render", fmt::format("{} x {} pixels are too many", r.width, r.height),
                        "at most 268,435,456, for example 16384 x 16384");
-    problems.in_range("render.samples", r.samples, 1, 1 << 30);
-    problems.in_range("render.max_depth", r.path.max_depth, 1, 4096);
-    problems.in_range("render.roulette_depth", r.path.roulette_depth, 0, 4096);
+    problems.in_range("render.samples", r.samples, 1, kMaxSamples);
+    problems.in_range("render.max_depth", r.path.max_depth, 1, kMaxPathDepth);
+    problems.in_range("render.roulette_depth", r.path.roulette_depth, 0, kMaxPathDepth);
     problems.in_range("render.tea_rounds", r.path.tea_rounds, 6, 32);
     problems.in_range("render.key_rounds", r.path.key_rounds, 6, 32);
 }
@@ -63,6 +62,10 @@ void check_background(const Background& b, ProblemList& problems) {
     problems.color("background.color", b.color);
     problems.finite("background.rotation", b.rotation);
     problems.not_negative("background.strength", b.strength, "strength");
+    if (b.kind == BackgroundKind::Constant)
+        problems.radiance("background", b.color, b.strength);
+    else if (b.kind == BackgroundKind::Gradient)
+        problems.radiance("background", glm::max(b.bottom, b.top), b.strength);
 }
 
 // The number of spheres at most, 0 where the size is a problem.

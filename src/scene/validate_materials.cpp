@@ -139,6 +139,8 @@ private:
         if (m.emits || m.kind == MaterialKind::DiffuseLight) {
             check_color(m.emission, where / "emission");
             problems_.not_negative(where / "strength", m.strength, "strength");
+            if (!m.emission.texture)
+                problems_.radiance(where / "emission", m.emission.color, m.strength);
         }
         problems_.in_range(where / "opacity", m.opacity, 0.0, 1.0);
         problems_.color(where / "pass_through", m.pass_through);

@@ -123,6 +123,7 @@ class Tga:
         assert kind in (2, 10)
         self.width, self.height, bits, descriptor = struct.unpack("<HHBB", data[12:18])
         assert bits == 24
+        self.comment = data[18:18 + data[0]].decode()
         body, pixels = data[18 + data[0]:], b""
         count = self.width * self.height
         if kind == 2:
@@ -254,3 +255,28 @@ class Exr:
         out = bytearray(len(raw))
         out[0::2], out[1::2] = raw[:half], raw[half:]
         return bytes(out)
+
+
+def exr_bytes(width, height, rgb):
+    """An OpenEXR file without compression; `rgb` are floats, row by row, NaN and infinity too."""
+    def attribute(name, kind, value):
+        return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<I", len(value)) + value
+
+    channels = b"".join(name + b"\0" + struct.pack("<IIII", 2, 0, 1, 1) for name in (b"B", b"G", b"R"))
+    window = struct.pack("<iiii", 0, 0, width - 1, height - 1)
+    head = b"\x76\x2f\x31\x01\x02\0\0\0" + b"".join([
+        attribute("channels", "chlist", channels + b"\0"), attribute("compression", "compression", b"\0"),
+        attribute("dataWindow", "box2i", window), attribute("displayWindow", "box2i", window),
+        attribute("lineOrder", "lineOrder", b"\0"),
+        attribute("pixelAspectRatio", "float", struct.pack("<f", 1)),
+        attribute("screenWindowCenter", "v2f", struct.pack("<ff", 0, 0)),
+        attribute("screenWindowWidth", "float", struct.pack("<f", 1))]) + b"\0"
+    row_bytes = 8 + 12 * width
+    start = len(head) + 8 * height
+    offsets = b"".join(struct.pack("<Q", start + y * row_bytes) for y in range(height))
+    rows = b""
+    for y in range(height):
+        row = rgb[3 * width * y:3 * width * (y + 1)]
+        rows += struct.pack("<iI", y, 12 * width)
+        rows += b"".join(struct.pack(f"<{width}f", *row[c::3]) for c in (2, 1, 0))
+    return head + offsets + rows

@@ -69,7 +69,7 @@ class Formats(CommandTest):
     def test_metadata_says_how_the_picture_was_made(self):
         self.scene()
         self.assert_done(self.render("scene.json", "-o", "a.png", "-o", "a.exr", "-o", "a.ppm",
-                                     "--seed", 77, "--depth", 5, "--camera", "above"))
+                                     "-o", "a.hdr", "-o", "a.jpg", "-o", "a.tga", "--seed", 77, "--depth", 5, "--camera", "above"))
         want = {"program": "Teapath", "scene": "scene.json", "camera": "above", "seed": "77",
                 "samples": "4", "size": "32x24", "depth": "5", "integrator": "path",
                 "sampler": "tea", "exposure": "0", "tone_curve": "srgb"}
@@ -78,6 +78,9 @@ class Formats(CommandTest):
             self.assertEqual(png[key], value)
             self.assertEqual(exr[key], value)
         self.assertIn("seed: 77", Ppm(self.read("a.ppm")).comments)
+        self.assertIn(b"# seed: 77\n", self.read("a.hdr"))
+        self.assertIn(b"seed: 77\n", self.read("a.jpg"))
+        self.assertIn("seed: 77\n", Tga(self.read("a.tga")).comment)
         self.assertRegex(png["version"], r"^\d+\.\d+\.\d+$")
         self.assertGreaterEqual(float(exr["seconds"]), 0)
         self.assertNotIn("seconds", png)

@@ -52,9 +52,9 @@ def run(*arguments, cwd=None, env=None, timeout=120, **more):
     environment = dict(os.environ, **(env or {}))
     more.setdefault("stdout", subprocess.PIPE)
     more.setdefault("stderr", subprocess.PIPE)
+    more.setdefault("preexec_fn", restore_signals)
     return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, env=environment,
-                          stdin=subprocess.DEVNULL, timeout=timeout, errors="replace",
-                          preexec_fn=restore_signals, **more)
+                          stdin=subprocess.DEVNULL, timeout=timeout, errors="replace", **more)
 
 
 def start(*arguments, cwd=None, **more):

@@ -147,10 +147,10 @@ private:
 
 /// `samples` directions of sample(u, u3) against pdf(direction). A sample of length zero was
 /// absorbed; it and what the grid leaves out make up what the density lacks to 1, which is returned
-/// in `lost` as (counted share, expected share).
+/// in `lost` as (counted share, expected share). A density with edges needs more `steps` of a cell.
 template <class Sample, class Pdf>
 Chi2 chi2_test_directions(const DirectionGrid& grid, uint32_t samples, Sample&& sample, Pdf&& pdf,
-                          double (*lost)[2] = nullptr) {
+                          double (*lost)[2] = nullptr, int steps = 24) {
     std::vector<double> observed(grid.outside() + 1);
     const TeaKey key = tea_key(0, 20);
     for (uint32_t i = 0; i < samples; ++i) {
@@ -158,7 +158,7 @@ Chi2 chi2_test_directions(const DirectionGrid& grid, uint32_t samples, Sample&& 
         const Vec3 d = sample(Vec2{unit_real(a.v0), unit_real(a.v1)}, unit_real(b.v0));
         ++observed[is_black(d) ? grid.outside() : grid.cell(d)];
     }
-    std::vector<double> expected = grid.integrate(pdf);
+    std::vector<double> expected = grid.integrate(pdf, steps);
     double sum = 0;
     for (double& n : expected) {
         sum += n;

@@ -7,6 +7,11 @@
 
 namespace tp {
 
+/// Adds a colour to the albedo, if it is one.
+TP_HD void add_albedo(FeatureSum& sum, Vec3 albedo) {
+    if (fits_film(albedo)) sum.albedo += albedo;
+}
+
 /// Adds what sample `sample` of pixel (x, y) meets first.
 template <uint32_t kFeatures>
 TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint64_t sample,
@@ -16,7 +21,7 @@ TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint
     const PathState path = start_camera_path<kFeatures>(params, sampler, x, y);
     const Hit hit = intersect<kFeatures>(params, path);
     if (hit.index == kNoHit) {
-        sum.albedo += background_radiance<kFeatures>(params.scene, path.direction);
+        add_albedo(sum, background_radiance<kFeatures>(params.scene, path.direction));
         return;
     }
     const Hittable& hittable = params.scene.hittables[hit.index];
@@ -25,7 +30,7 @@ TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint
         make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
     const ColorRef& ref =
         material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
-    sum.albedo += Vec3(material_color<kFeatures>(params.scene, ref, s));
+    add_albedo(sum, Vec3(material_color<kFeatures>(params.scene, ref, s)));
     sum.normal += s.normal;
     sum.depth += dot(s.point.position - params.camera.origin, params.camera.forward);
     sum.hits += 1;

@@ -6,10 +6,17 @@
 
 #include <teapath/core/span.h>
 #include <teapath/kernel/records.h>
+#include <teapath/kernel/settings.h>
 
 namespace tp {
 
 inline constexpr int64_t kBlockSamples = 32;
+
+/// False for NaN, infinity and what is beyond kMaxRadiance.
+TP_HD bool fits_film(Vec3 c) {
+    constexpr Real kMost = Real(kMaxRadiance);
+    return abs(c.x) <= kMost && abs(c.y) <= kMost && abs(c.z) <= kMost;
+}
 
 /// Sums of one block: radiance in x, y, z and squared luminance in w.
 using BlockSum = Real4;

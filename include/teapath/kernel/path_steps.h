@@ -6,6 +6,7 @@
 #include <teapath/kernel/background.h>
 #include <teapath/kernel/camera_ray.h>
 #include <teapath/kernel/dimensions.h>
+#include <teapath/kernel/film_view.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/light.h>
 #include <teapath/kernel/material.h>
@@ -184,8 +185,7 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     // The next direction.
     const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionBsdf);
     Real u3 = 0;
-    if ((material.kind == MaterialKind::Metal && bsdf.fuzz > 0) ||
-        settings.scatter == ScatterRule::CosineCubed)
+    if (samples_with_third_number(bsdf))
         u3 = sample_1d<kSobol>(sampler, dimension + kDimensionLobe);
     const BsdfSample next = bsdf_sample(bsdf, wo, u, u3);
     if (is_black(next.weight)) return false;
@@ -250,9 +250,9 @@ TP_HD void connect_to_light(const LaunchParams& params, const ShadowQuery& shado
         path.radiance += shadow.contribution * transmittance<kFeatures>(params, shadow);
 }
 
-/// Step 5: the path's radiance, black if it is not finite; then `is_valid` is false.
+/// Step 5: the path's radiance, black if it does not fit the film; then `is_valid` is false.
 TP_HD Vec3 finish_path(const PathState& path, bool& is_valid) {
-    is_valid = is_finite(path.radiance);
+    is_valid = fits_film(path.radiance);
     return is_valid ? path.radiance : Vec3(0, 0, 0);
 }
 

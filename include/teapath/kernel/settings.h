@@ -7,6 +7,12 @@
 
 namespace tp {
 
+inline constexpr int kMaxPathDepth = 4096;
+
+/// The most radiance that a light, or a sample of the film, may have: sums of its square over 2^30
+/// samples stay finite.
+inline constexpr double kMaxRadiance = 1e14;
+
 struct PathSettings {
     IntegratorKind integrator = IntegratorKind::Path;
     int32_t max_depth = 50;      // path segments, 1 to 4096; 1 = emission seen by the camera only

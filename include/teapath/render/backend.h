@@ -25,7 +25,7 @@ struct SampleRange {
 
 struct RenderCounters {
     uint64_t samples = 0;          // camera samples traced since the backend was made
-    uint64_t invalid_samples = 0;  // NaN or infinite radiance, left out of the film as black
+    uint64_t invalid_samples = 0;  // NaN, infinite or over kMaxRadiance, black in the film
 };
 
 struct FilmSetup {

@@ -9,6 +9,7 @@
 #include <teapath/scene/object.h>
 #include <teapath/scene/texture.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,10 @@ struct Background {
 
     friend bool operator==(const Background&, const Background&) = default;
 };
+
+inline constexpr int kMaxImageSide = 65536;
+inline constexpr int64_t kMaxImagePixels = int64_t{1} << 28;
+inline constexpr int kMaxSamples = 1 << 30;
 
 struct RenderSettings {
     int width = 1280;  // pixels, 1 to 65,536; width * height at most 2^28

@@ -21,7 +21,24 @@ struct Bsdf {
 
 /// True if every lobe is a delta: light sampling finds nothing.
 TP_HD bool is_specular(const Bsdf& b) {
-    return b.kind == MaterialKind::Dielectric || (b.kind == MaterialKind::Metal && b.fuzz <= 0);
+    switch (b.kind) {
+        case MaterialKind::Metal: return b.fuzz <= 0;
+        case MaterialKind::Dielectric: return true;
+        case MaterialKind::Lambertian:
+        case MaterialKind::DiffuseLight: break;
+    }
+    return false;
+}
+
+/// True if bsdf_sample reads its third number; it is 0 otherwise, which saves making it.
+TP_HD bool samples_with_third_number(const Bsdf& b) {
+    switch (b.kind) {
+        case MaterialKind::Lambertian: return b.scatter == ScatterRule::CosineCubed;
+        case MaterialKind::Metal: return b.fuzz > 0;
+        case MaterialKind::Dielectric:
+        case MaterialKind::DiffuseLight: break;
+    }
+    return false;
 }
 
 /// f(wo, wi) |cos(wi)|, without delta lobes.
