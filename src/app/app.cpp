@@ -14,6 +14,7 @@
 #include "actions.h"
 #include "dialogs/dialogs.h"
 #include "panels/panels.h"
+#include "preview/previews.h"
 #include "theme.h"
 
 #include <teapath/core/error.h>
@@ -88,7 +89,10 @@ void draw_panels(PanelContext& c) {
 void remember_times(MetricsState& metrics, double interface_ms, const RenderStatus& status) {
     const size_t i = metrics.frames++ % MetricsState::kFrames;
     metrics.interface_ms[i] = static_cast<float>(interface_ms);
+    metrics.frame_ms[i] = ImGui::GetIO().DeltaTime * 1000;
     metrics.trace_ms[i] = static_cast<float>(status.step_ms);
+    metrics.display_ms[i] = static_cast<float>(status.display_ms);
+    metrics.upload_ms_of_frame[i] = static_cast<float>(metrics.upload_ms);
 }
 
 void write_screenshot(const Window& window, const std::filesystem::path& file) {
@@ -124,6 +128,9 @@ int run_app(const AppOptions& options) {
     Window window(options.width, options.height, "Teapath");
     apply_theme(ui.preferences.dark_theme, window.scale());
     DisplayTexture texture;
+    Previews previews;
+    ui.previews = &previews;
+    ui.session = session_options(options);
     DisplayFrame frame;
     std::string title;
     const auto start = Clock::now();
@@ -147,6 +154,7 @@ int run_app(const AppOptions& options) {
         PanelContext context{document, worker, ui, texture, window, status};
         for (const std::filesystem::path& file : window.take_drops())
             open_scene(context, file);
+        previews.begin_frame();
         draw_panels(context);
         worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
                          ui.viewport.is_moving);

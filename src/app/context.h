@@ -3,6 +3,7 @@
 #pragma once
 
 #include "display_texture.h"
+#include "image_open.h"
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
@@ -10,6 +11,7 @@
 
 #include <teapath/core/log.h>
 #include <teapath/editor/document.h>
+#include <teapath/editor/scene_tree.h>
 
 #include <array>
 #include <cstdint>
@@ -42,20 +44,32 @@ struct ViewportState {
 
 struct SceneTreeState {
     std::string search;
-    MaterialId chosen_material;  // shown in the inspector where no object is selected
+    SceneTree rows;
+    SceneItem anchor;          // where a range begins that Shift selects
+    bool is_renaming = false;  // a name is being typed in place
+    SceneItem renamed;         // of that thing
+    std::string rename_text;
+    SceneItem shown;                    // the selection that was last scrolled to
+    std::vector<SceneItem> menu_items;  // what the open menu acts on
 };
 
 struct ConsoleState {
-    std::vector<LogLine> lines;
+    std::deque<LogLine> lines;
     std::string filter;
+    std::string search;
+    std::array<bool, 4> shows{false, true, true, true};  // by LogLevel
     uint64_t cleared = 0;  // serial of the last line that Clear took away
+    uint64_t found = 0;    // serial of the line that the search is at; 0 = none
 };
 
 /// The last frames' times, as rings.
 struct MetricsState {
     static constexpr size_t kFrames = 240;
-    std::array<float, kFrames> interface_ms{};
+    std::array<float, kFrames> frame_ms{};      // from one frame to the next
+    std::array<float, kFrames> interface_ms{};  // panels and what draws them
     std::array<float, kFrames> trace_ms{};
+    std::array<float, kFrames> display_ms{};  // tone curve and copy
+    std::array<float, kFrames> upload_ms_of_frame{};
     size_t frames = 0;  // since the start
     double upload_ms = 0;
 };
@@ -67,8 +81,12 @@ struct DialogState {
     std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
 };
 
+class Previews;
+
 struct UiState {
     Preferences preferences;
+    ImageOpen images;
+    Previews* previews = nullptr;  // null where no pictures can be shown
     KeyMap keys;
     bool paused = false;
     bool reset_layout = false;
@@ -76,6 +94,7 @@ struct UiState {
     SceneTreeState tree;
     ConsoleState console;
     MetricsState metrics;
+    SessionOptions session;  // what the renderer was asked to run on
     DialogState dialogs;
     std::deque<Toast> toasts;
 };

@@ -1,30 +1,20 @@
 // The menus, and the tools beside them.
 #include "../actions.h"
+#include "../theme.h"
 #include "../widgets.h"
+#include "add_menu.h"
 #include "panels.h"
 
-#include <teapath/editor/scene_edits.h>
-
-#include <fmt/format.h>
 #include <icons_font_awesome_6.h>
 #include <imgui.h>
 
 namespace tp {
 namespace {
 
-void add_shape(PanelContext& c, const ShapeKind& kind) {
-    const Camera camera = active_camera(c.document.scene());
-    const double size = glm::distance(camera.look_from, camera.look_at) * 0.2;
-    ObjectId made;
-    c.document.edit(fmt::format("Add {}", kind.label), "",
-                    [&](Scene& s) { made = add_object(s, kind, camera.look_at, size); });
-    c.document.select(made);
-}
-
 void tool_button(PanelContext& c, const char* icon, Tool tool, const char* help) {
     Tool& current = c.ui.viewport.tool;
     const bool active = current == tool;
-    if (active) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.64f, 0.24f, 1));
+    if (active) ImGui::PushStyleColor(ImGuiCol_Text, to_color(theme().accent_text));
     if (ImGui::MenuItem(icon)) current = tool;
     if (active) ImGui::PopStyleColor();
     ui::tooltip(help);
@@ -54,10 +44,7 @@ void draw_menu_bar(PanelContext& c) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const char* menu : {"File", "Edit", "Add", "View", "Render", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
-        if (std::string_view(menu) == "Add") {
-            for (const ShapeKind& kind : shape_kinds())
-                if (ImGui::MenuItem(kind.label)) add_shape(c, kind);
-        }
+        if (std::string_view(menu) == "Add") add_menu_items(c);
         draw_menu_items(c, menu);
         ImGui::EndMenu();
     }
