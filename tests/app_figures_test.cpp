@@ -8,18 +8,18 @@
 using namespace tp;
 
 TEST_CASE("figures: sizes, rates and times") {
-    CHECK(bytes_text(0) == "0 B");
-    CHECK(bytes_text(1536) == "1.5 KiB");
-    CHECK(bytes_text(size_t{25} << 20) == "25.0 MiB");
-    CHECK(bytes_text(size_t{150} << 30) == "150 GiB");
+    CHECK(memory_text(0) == "0 B");
+    CHECK(memory_text(1536) == "1.5 KiB");
+    CHECK(memory_text(size_t{25} << 20) == "25.0 MiB");
+    CHECK(memory_text(size_t{150} << 30) == "150 GiB");
     CHECK(count_text(0) == "0 ");
     CHECK(count_text(1.94e9) == "1.9 G");
     CHECK(count_text(350'000) == "350 k");
     CHECK(count_text(999'999) == "1.0 M");
-    CHECK(duration_text(42) == "0:42");
-    CHECK(duration_text(3725) == "1:02:05");
-    CHECK(duration_text(-1) == "0:00");
-    CHECK(duration_text(1e300) == "days");
+    CHECK(clock_time(42) == "0:42");
+    CHECK(clock_time(3725) == "1:02:05");
+    CHECK(clock_time(-1) == "0:00");
+    CHECK(clock_time(1e300) == "days");
 }
 
 TEST_CASE("figures: quantiles") {

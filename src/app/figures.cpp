@@ -10,7 +10,7 @@
 
 namespace tp {
 
-std::string bytes_text(size_t bytes) {
+std::string memory_text(size_t bytes) {
     const char* const units[] = {"B", "KiB", "MiB", "GiB", "TiB"};
     auto value = static_cast<double>(bytes);
     size_t unit = 0;
@@ -32,7 +32,7 @@ std::string count_text(double count) {
                        prefixes[prefix]);
 }
 
-std::string duration_text(double seconds) {
+std::string clock_time(double seconds) {
     if (!std::isfinite(seconds) || seconds > 3.6e8) return "days";
     const auto whole = static_cast<int64_t>(std::max(0.0, seconds) + 0.5);
     if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);

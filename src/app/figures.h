@@ -9,11 +9,11 @@
 namespace tp {
 
 /// "1.9 GiB", "25.8 MiB".
-std::string bytes_text(size_t bytes);
+std::string memory_text(size_t bytes);
 /// "1.9 G", "350 k": a number with a unit's prefix and the space before it.
 std::string count_text(double count);
 /// "0:42", "1:02:05".
-std::string duration_text(double seconds);
+std::string clock_time(double seconds);
 
 /// The value that a share of the values does not pass; 0 of none. `share` 0.5 is the median.
 float quantile(std::span<const float> values, double share);

@@ -31,11 +31,10 @@ Place place_in_view(const Scene& scene) {
     shapes.generators = scene.generators;
     SceneArrays arrays;
     flatten(shapes, SceneParts::All, arrays);
-    const PickResult hit = pick(arrays, 0.5, 0.5);
+    const Double3 view = (camera.look_at - camera.look_from) / looked;
+    const PickResult hit = pick(arrays, camera.look_from, view, kFarthest * looked);
     if (!hit.object) return in_air;
-    const double distance = glm::distance(camera.look_from, hit.point);
-    if (distance > kFarthest * looked) return in_air;
-    return {hit.point, true, distance};
+    return {hit.point, true, glm::distance(camera.look_from, hit.point)};
 }
 
 }  // namespace tp

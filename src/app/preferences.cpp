@@ -59,6 +59,9 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "dark_theme", p.dark_theme);
     take(json, "interface_scale", p.interface_scale);
     take(json, "seen_welcome", p.seen_welcome);
+    take(json, "smooth_picture", p.smooth_picture);
+    take(json, "fly_speed", p.fly_speed);
+    take(json, "look_degrees", p.look_degrees);
     take(json, "autosave_minutes", p.autosave_minutes);
     take(json, "recent_files", p.recent_files);
     take(json, "keys", p.keys);
@@ -68,6 +71,8 @@ Preferences load_preferences(const std::filesystem::path& file) {
     p.viewport.resolution_percent = std::clamp(p.viewport.resolution_percent, 10, 100);
     p.viewport.moving_divider = std::clamp(p.viewport.moving_divider, 0, 8);
     p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
+    p.fly_speed = std::clamp(p.fly_speed, 0.1, 10.0);
+    p.look_degrees = std::clamp(p.look_degrees, 0.01, 1.0);
     p.autosave_minutes = std::clamp(p.autosave_minutes, 0, 60);
     if (p.recent_files.size() > Preferences::kMaxRecent)
         p.recent_files.resize(Preferences::kMaxRecent);
@@ -78,6 +83,9 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
     const Json json = {{"dark_theme", p.dark_theme},
                        {"interface_scale", p.interface_scale},
                        {"seen_welcome", p.seen_welcome},
+                       {"smooth_picture", p.smooth_picture},
+                       {"fly_speed", p.fly_speed},
+                       {"look_degrees", p.look_degrees},
                        {"autosave_minutes", p.autosave_minutes},
                        {"recent_files", p.recent_files},
                        {"keys", p.keys},

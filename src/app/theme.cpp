@@ -58,6 +58,14 @@ void set_colors(ImVec4* c, const Palette& p) {
     c[ImGuiCol_HeaderActive] = to_color(p.active);
     c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] =
         to_color(p.accent);
+    c[ImGuiCol_CheckboxSelectedBg] = to_color(p.field);
+    c[ImGuiCol_InputTextCursor] = c[ImGuiCol_UnsavedMarker] = to_color(p.text);
+    c[ImGuiCol_TextLink] = to_color(p.accent_text);
+    c[ImGuiCol_TreeLines] = c[ImGuiCol_TableBorderStrong] = c[ImGuiCol_TableBorderLight] =
+        to_color(p.line);
+    c[ImGuiCol_DragDropTargetBg] = to_color(p.accent, 0.15f);
+    c[ImGuiCol_NavWindowingHighlight] = to_color(p.accent, 0.7f);
+    c[ImGuiCol_PlotHistogramHovered] = c[ImGuiCol_PlotLinesHovered] = to_color(p.accent);
     c[ImGuiCol_PlotHistogram] = c[ImGuiCol_PlotLines] = to_color(p.accent);
     c[ImGuiCol_TextSelectedBg] = to_color(p.accent, 0.35f);
     c[ImGuiCol_NavCursor] = c[ImGuiCol_DragDropTarget] = to_color(p.accent);

@@ -87,8 +87,8 @@ void take_format(NumberRow& r, const char* format) {
 
 bool begin_rows(const char* id) {
     if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp)) return false;
-    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.4f);
-    ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthStretch, 0.6f);
+    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.43f);
+    ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthStretch, 0.57f);
     return true;
 }
 

@@ -90,7 +90,8 @@ void set_log_level(LogLevel level) {
 std::string log_to_file(const std::string& file) {
     try {
         logger();  // sets the pattern of the sinks that are there, which is not that of the file
-        auto sink = std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file, kFileBytes, kOlderFiles);
+        auto sink =
+            std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file, kFileBytes, kOlderFiles);
         file_sinks()->set_sinks({sink});
         sink->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
         logger().flush_on(spdlog::level::info);

@@ -18,4 +18,7 @@ void ask_first(PanelContext& c, const std::string& what);
 /// The table of keys, from the action table.
 void draw_keys_window(PanelContext& c);
 
+/// The user's settings; what they say of theme and scale is put in force here in any case.
+void draw_settings_window(PanelContext& c);
+
 }  // namespace tp

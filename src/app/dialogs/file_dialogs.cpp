@@ -147,6 +147,7 @@ void draw_dialogs(PanelContext& c) {
     }
     unsaved_dialog(c);
     draw_keys_window(c);
+    draw_settings_window(c);
 }
 
 }  // namespace tp

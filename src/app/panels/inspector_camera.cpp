@@ -83,9 +83,12 @@ PropertyRows<Camera> camera_property_rows(PanelContext& c, const std::vector<Cam
         }
     const std::string what = known.size() == 1 ? item_name(c.document.scene(), item_of(known[0]))
                                                : fmt::format("{} cameras", known.size());
-    return PropertyRows<Camera>(c, what, fmt::format("camera {}", known.back().value),
-                                std::move(things),
-                                [known](Scene& s, size_t i) { return find_camera(s, known[i]); });
+    // A view has no default; what the file has is what one goes back to.
+    const Camera* in_file = find(*c.document.history().front().scene, known.back());
+    return PropertyRows<Camera>(
+        c, what, fmt::format("camera {}", known.back().value), std::move(things),
+        [known](Scene& s, size_t i) { return find_camera(s, known[i]); },
+        in_file ? *in_file : *find(c.document.scene(), known.back()));
 }
 
 void camera_rows(PropertyRows<Camera>& rows) {

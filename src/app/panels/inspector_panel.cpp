@@ -51,6 +51,8 @@ void inspector_header(PanelContext& c, const std::vector<SceneItem>& items, cons
         ImGui::SameLine();
     }
     ImGui::BeginGroup();
+    const float gap = ImGui::GetFontSize() * 0.5f;
+    float text_left = ImGui::GetCursorPosX();  // of the kind, below the name
     if (items.size() > 1) {
         ImGui::AlignTextToFramePadding();
         ImGui::Text("%s  %d selected", icon, static_cast<int>(items.size()));
@@ -60,7 +62,8 @@ void inspector_header(PanelContext& c, const std::vector<SceneItem>& items, cons
     } else {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(icon);
-        ImGui::SameLine();
+        ImGui::SameLine(0, gap);
+        text_left = ImGui::GetCursorPosX();
         std::string name = item_name(c.document.scene(), item);
         ImGui::SetNextItemWidth(-1);
         if (ImGui::InputText("##name", &name, ImGuiInputTextFlags_AutoSelectAll) && !name.empty())
@@ -69,7 +72,10 @@ void inspector_header(PanelContext& c, const std::vector<SceneItem>& items, cons
                             [&](Scene& s) { rename_item(s, item, name); });
         ui::tooltip("The name in the tree and in the scene file");
     }
-    ImGui::TextDisabled("%s", kind.c_str());
+    ImGui::SetCursorPosX(text_left + ImGui::GetStyle().FramePadding.x);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ui::fitted_text(kind, ImGui::GetContentRegionAvail().x);
+    ImGui::PopStyleColor();
     ImGui::EndGroup();
     ImGui::Spacing();
 }
@@ -90,6 +96,8 @@ void draw_inspector(PanelContext& c) {
     }
     ImGui::End();
     end_merge_when_released(c);
+    if (const std::string problem = c.ui.images.update(c.document); !problem.empty())
+        c.toast(problem, true);
 }
 
 }  // namespace tp

@@ -1,6 +1,5 @@
 // The menus, and the tools beside them.
 #include "../actions.h"
-#include "../theme.h"
 #include "../widgets.h"
 #include "add_menu.h"
 #include "panels.h"
@@ -11,31 +10,23 @@
 namespace tp {
 namespace {
 
-void tool_button(PanelContext& c, const char* icon, Tool tool, const char* help) {
-    Tool& current = c.ui.viewport.tool;
-    const bool active = current == tool;
-    if (active) ImGui::PushStyleColor(ImGuiCol_Text, to_color(theme().accent_text));
-    if (ImGui::MenuItem(icon)) current = tool;
-    if (active) ImGui::PopStyleColor();
-    ui::tooltip(help);
-}
-
 void draw_tools(PanelContext& c) {
     ImGui::TextDisabled("|");
-    tool_button(c, ICON_FA_ARROW_POINTER "##select", Tool::Select, "Select");
-    tool_button(c, ICON_FA_UP_DOWN_LEFT_RIGHT "##move", Tool::Move, "Move the selection");
-    tool_button(c, ICON_FA_ROTATE "##rotate", Tool::Rotate, "Rotate the selection");
-    tool_button(c, ICON_FA_MAXIMIZE "##scale", Tool::Scale, "Scale the selection");
+    draw_viewport_tools(c);
     ImGui::TextDisabled("|");
     if (ImGui::MenuItem(c.ui.paused ? ICON_FA_PLAY "##pause" : ICON_FA_PAUSE "##pause"))
         run_action("render.pause", c);
     ui::tooltip("Pause and resume (P)");
 }
 
+// The scene's name at the right, as much of it as there is room for.
 void draw_title(PanelContext& c) {
-    const std::string title = c.document.title();
-    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(title.c_str()).x - 16);
-    ImGui::TextUnformatted(title.c_str());
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 24;
+    if (room < ImGui::GetFontSize() * 3) return;
+    const std::string title = c.document.title(), shown = ui::fitted(title, room);
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - 16);
+    ImGui::TextUnformatted(shown.c_str());
+    ui::tooltip(c.document.file().string().c_str());
 }
 
 }  // namespace

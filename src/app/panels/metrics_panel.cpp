@@ -132,8 +132,8 @@ std::vector<Figure> figures_of(const PanelContext& c) {
         {"Objects", fmt::format("{} hittables, {} lights", s.hittables, s.lights), true},
         {"Tree", fmt::format("{} levels, {} leaves, cost {:.1f}, built in {:.1f} ms", s.bvh.depth,
                              s.bvh.leaf_count, s.bvh.sah_cost, s.bvh.build_seconds * 1e3)},
-        {"Scene and film", bytes_text(s.memory_bytes), true},
-        {"Program", bytes_text(process_memory())},
+        {"Scene and film", memory_text(s.memory_bytes), true},
+        {"Program", memory_text(process_memory())},
         {"Renderer", s.backend},
         {"Card", card_text(c)},
         {"Window", c.window.gl_name()},
@@ -174,7 +174,8 @@ void draw_table(const std::vector<Figure>& figures) {
 double share_done(const PanelContext& c) {
     const RenderSettings& render = c.document.scene().render;
     const double by_samples = static_cast<double>(c.status.samples) / std::max(1, render.samples);
-    return std::clamp(by_samples, 0.0, 1.0);
+    const double by_time = render.seconds > 0 ? c.status.seconds / render.seconds : 0;
+    return std::clamp(std::max(by_samples, by_time), 0.0, 1.0);
 }
 
 std::string time_left_text(const PanelContext& c) {
@@ -183,7 +184,10 @@ std::string time_left_text(const PanelContext& c) {
     if (s.samples_per_second <= 0) return "";
     const double samples =
         static_cast<double>(c.document.scene().render.samples - s.samples) * s.width * s.height;
-    return duration_text(samples / s.samples_per_second) + " left";
+    double seconds = samples / s.samples_per_second;
+    if (const double limit = c.document.scene().render.seconds; limit > 0)
+        seconds = std::min(seconds, limit - s.seconds);
+    return clock_time(seconds) + " left";
 }
 
 void draw_metrics(PanelContext& c) {

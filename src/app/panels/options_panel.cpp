@@ -11,8 +11,8 @@
 #include <icons_font_awesome_6.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
+#include <thread>
 
 namespace tp {
 namespace {
@@ -230,14 +230,19 @@ void draw_device(PanelContext& c) {
                             .help = "Of the host; 0 takes all cores",
                             .speed = 0.05,
                             .low = 0,
-                            .high = 1024},
+                            .high = std::max(1.0, std::thread::hardware_concurrency() * 1.0)},
                            options.threads, 0);
     if (devices().devices.empty()) ui::row_text("CUDA", devices().status);
     ui::row_text("Now", c.status.backend.empty() ? "starting" : c.status.backend);
     ui::end_rows();
-    if (!changed) return;
+    if (changed) c.ui.session = options;
     // The renderer starts anew once the number stands still.
-    c.ui.session = options;
+    static SessionOptions used = c.ui.session;
+    const bool differs = used.backend != c.ui.session.backend ||
+                         used.device != c.ui.session.device || used.threads != c.ui.session.threads;
+    if (!differs || ImGui::IsAnyItemActive()) return;
+    used = c.ui.session;
+    c.worker.set_options(used);
 }
 
 void draw_viewport_options(PanelContext& c) {
@@ -263,6 +268,7 @@ void draw_viewport_options(PanelContext& c) {
         const int dividers[] = {0, 1, 2, 4, 8};
         viewport.moving_divider = dividers[index];
     }
+    c.worker.set_moving_divider(viewport.moving_divider);
     ui::end_rows();
 }
 

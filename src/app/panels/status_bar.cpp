@@ -33,7 +33,7 @@ std::vector<Part> parts_of(const PanelContext& c) {
         parts.push_back({count_text(s.samples_per_second) + "samples/s", 1, "Camera samples"});
     if (const std::string left = time_left_text(c); !left.empty() && !c.ui.paused)
         parts.push_back({left, 4, "Until all samples are there"});
-    if (s.memory_bytes > 0) parts.push_back({bytes_text(s.memory_bytes), 0, "Scene and film"});
+    if (s.memory_bytes > 0) parts.push_back({memory_text(s.memory_bytes), 0, "Scene and film"});
     return parts;
 }
 
