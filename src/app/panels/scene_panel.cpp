@@ -65,9 +65,8 @@ void draw_heading(PanelContext& c, const Stretch& s, float height) {
     ImGui::PushID(text.name);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, plus = ImGui::GetFrameHeight();
-    ImGui::SetNextItemAllowOverlap();
-    if (ImGui::Selectable("###section", false, ImGuiSelectableFlags_AllowOverlap,
-                          {width, height})) {
+    tree_row_ground(low, width, height, false);
+    if (tree_row_button("###section", width - plus, height)) {
         std::vector<std::string>& folded = c.ui.preferences.folded;
         const auto found = std::find(folded.begin(), folded.end(), fold_key(text));
         if (found == folded.end())
@@ -87,7 +86,6 @@ void draw_heading(PanelContext& c, const Stretch& s, float height) {
     draw->AddText({low.x + ImGui::GetFontSize() * 1.2f + ImGui::CalcTextSize(text.name).x + 8, y},
                   dim, count.c_str());
     if (text.add || text.section == TreeSection::Cameras) {
-        ImGui::SameLine();
         ImGui::SetCursorScreenPos({low.x + width - plus, low.y + std::floor((height - plus) / 2)});
         if (ui::icon_button(ICON_FA_PLUS "##add", "Add")) {
             if (text.add)

@@ -142,6 +142,24 @@ void drag_and_drop(PanelContext& c, const Row& row) {
 
 }  // namespace
 
+bool tree_row_ground(ImVec2 low, float width, float height, bool is_selected) {
+    const ImVec2 high{low.x + width, low.y + height};
+    const bool hovered = ImGui::IsMouseHoveringRect(low, high) && ImGui::IsWindowHovered();
+    if (is_selected || hovered)
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            low, high, ImGui::GetColorU32(is_selected ? ImGuiCol_Header : ImGuiCol_HeaderHovered),
+            ImGui::GetStyle().FrameRounding);
+    return hovered;
+}
+
+bool tree_row_button(const char* id, float width, float height) {
+    for (const ImGuiCol color : {ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive})
+        ImGui::PushStyleColor(color, ImVec4(0, 0, 0, 0));
+    const bool pressed = ImGui::Selectable(id, false, ImGuiSelectableFlags_None, {width, height});
+    ImGui::PopStyleColor(3);
+    return pressed;
+}
+
 const char* object_icon(const Object& o) {
     switch (o.shape.index()) {
         case 0: return ICON_FA_CIRCLE;
@@ -167,7 +185,8 @@ void draw_scene_row(PanelContext& c, const Scene& scene, TreeSection section, si
     ImGui::PushID(static_cast<int>(item.kind));
     ImGui::PushID(static_cast<int>(item.id));
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, indent = ImGui::GetFontSize() * 0.8f,
+    const float width = ImGui::GetContentRegionAvail().x,
+                indent = section == TreeSection::Background ? 0 : ImGui::GetFontSize() * 0.8f,
                 icon = std::floor(height - 4), gap = 6, eye = ImGui::GetFrameHeight();
     if (tree.is_renaming && tree.renamed == item) {
         draw_icon(c, scene, row, section, {low.x + indent, low.y + 2}, icon);
@@ -175,13 +194,11 @@ void draw_scene_row(PanelContext& c, const Scene& scene, TreeSection section, si
         draw_rename(c, row, height);
     } else {
         const bool is_selected = c.document.is_selected(item);
-        ImGui::SetNextItemAllowOverlap();
-        if (ImGui::Selectable("###row", is_selected, ImGuiSelectableFlags_AllowOverlap,
-                              {width, height}))
+        const bool hovered = tree_row_ground(low, width, height, is_selected);
+        const float clickable = row.object || row.camera ? width - eye : width;
+        if (tree_row_button("###row", clickable, height))
             select_by_click(c, section, index, ImGui::GetIO().KeyCtrl, ImGui::GetIO().KeyShift);
-        const bool hovered = ImGui::IsMouseHoveringRect(low, {low.x + width, low.y + height}) &&
-                             ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-        if (hovered && ImGui::IsMouseDoubleClicked(0) && !ImGui::GetIO().KeyCtrl)
+        if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && !ImGui::GetIO().KeyCtrl)
             start_rename(c, item);
         drag_and_drop(c, row);
         if (ImGui::BeginPopupContextItem("menu")) {
@@ -198,7 +215,6 @@ void draw_scene_row(PanelContext& c, const Scene& scene, TreeSection section, si
             {low.x + indent + icon + gap, low.y + std::floor((height - ImGui::GetFontSize()) / 2)},
             ImGui::GetColorU32(is_dim ? ImGuiCol_TextDisabled : ImGuiCol_Text), text.c_str());
         if (text != row.name && hovered) ImGui::SetItemTooltip("%s", row.name.c_str());
-        ImGui::SameLine();
         ImGui::SetCursorScreenPos({low.x + width - eye, low.y + std::floor((height - eye) / 2)});
         draw_eye(c, scene, row, hovered);
     }

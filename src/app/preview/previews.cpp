@@ -17,7 +17,7 @@ constexpr size_t kMostWaiting = 64;  // what is asked for and no longer seen is 
 
 // The picture that the user looks at goes first.
 void lower_priority() {
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 15);
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 10);
 }
 
 }  // namespace
