@@ -100,8 +100,9 @@ struct MetricsState {
 struct DialogState {
     bool show_keys = false;
     bool show_settings = false;
-    std::string key_to_set;  // id of the action that waits for its new key in the settings
-    int key_slot = 0;        // which of its two
+    std::string key_to_set;      // id of the action that waits for its new key in the settings
+    int key_slot = 0;            // which of its two
+    bool key_was_taken = false;  // in this frame
     std::string key_search;
     bool show_open = false, show_save_as = false, show_export = false;
     std::string path_input;

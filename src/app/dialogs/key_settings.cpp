@@ -47,6 +47,7 @@ void take_key(PanelContext& c) {
     if (chord == 0) return;
     if (chord != ImGuiKey_Escape) set_key(c, a, static_cast<size_t>(d.key_slot), chord);
     d.key_to_set.clear();
+    d.key_was_taken = true;
 }
 
 // What else the action's keys do, as text; empty for nothing.
@@ -103,8 +104,10 @@ void draw_row(PanelContext& c, const Action& a) {
         ui::tooltip("As shipped");
         ImGui::SameLine();
     }
-    if (const std::string text = conflicts_of(c.ui.keys, a); !text.empty())
+    if (const std::string text = conflicts_of(c.ui.keys, a); !text.empty()) {
         ImGui::TextColored(ImGui::GetStyleColorVec4(ImGuiCol_CheckMark), "%s", text.c_str());
+        ui::tooltip(text.c_str());
+    }
 }
 
 }  // namespace

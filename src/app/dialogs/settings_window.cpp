@@ -80,14 +80,14 @@ void draw_settings_window(PanelContext& c) {
     const ImGuiViewport* main = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(main->GetWorkCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
-        {std::min(40 * font, main->WorkSize.x - 16), std::min(34 * font, main->WorkSize.y - 16)},
+        {std::min(46 * font, main->WorkSize.x - 16), std::min(34 * font, main->WorkSize.y - 16)},
         ImGuiCond_Appearing);
     // While a key is waited for, none goes round among the buttons.
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings |
                                    (d.key_to_set.empty() ? 0 : ImGuiWindowFlags_NoNavInputs);
     if (ImGui::Begin("Settings", &d.show_settings, flags)) {
         const bool waited = !d.key_to_set.empty();
-        if (ImGui::BeginTabBar("settings")) {
+        if (ImGui::BeginTabBar("settings", ImGuiTabBarFlags_DrawSelectedOverline)) {
             if (ImGui::BeginTabItem("General")) {
                 ImGui::SeparatorText("Interface");
                 draw_interface(c.ui.preferences);

@@ -142,10 +142,10 @@ void handle_click(PanelContext& c, const ViewportFrame& frame, bool is_hovered) 
 }
 
 // While a drag has the pointer, nothing else in the window reacts to it.
-void hold_pointer(PanelContext& c, bool was_looking) {
+void hold_pointer(PanelContext& c) {
     ViewportState& v = c.ui.viewport;
     const bool looking = v.navigation.drag == Drag::Look;
-    if (looking != was_looking) c.window.capture_cursor(looking);
+    if (looking != v.is_looking) c.window.capture_cursor(looking);
     v.is_looking = looking;
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     const ImGuiID id = window->GetID("drag");
@@ -176,7 +176,6 @@ void move_picture(PanelContext& c, const ViewportFrame& frame, const NavigationR
 bool handle_viewport_input(PanelContext& c, const ViewportFrame& frame, bool is_over_gizmo) {
     ViewportState& v = c.ui.viewport;
     const bool is_hovered = frame.is_hovered && !is_over_gizmo;
-    const bool was_looking = v.navigation.drag == Drag::Look;
     const Camera camera = active_camera(c.document.scene());
     if (v.fly_speed <= 0) v.fly_speed = natural_speed(c.document.scene());
 
@@ -193,7 +192,7 @@ bool handle_viewport_input(PanelContext& c, const ViewportFrame& frame, bool is_
         v.fly_speed = result.fly_speed / factor;
         v.speed_shown_until = ImGui::GetTime() + kSpeedShownSeconds;
     }
-    hold_pointer(c, was_looking);
+    hold_pointer(c);
     handle_click(c, frame, is_hovered);
     move_picture(c, frame, result);
     if (result.camera == camera) return false;

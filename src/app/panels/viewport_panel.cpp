@@ -40,9 +40,13 @@ void draw_picture(PanelContext& c, const ViewportFrame& frame) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(im(frame.panel.low), im(frame.panel.low + frame.panel.size), kSurround);
     if (!c.texture.id()) return;
-    c.texture.set_smooth(c.ui.preferences.smooth_picture && frame.zoom < kPixelGridZoom);
+    // ImGui's own sampler counts, not the texture's.
+    const ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+    const bool nearest = !c.ui.preferences.smooth_picture || frame.zoom >= kPixelGridZoom;
+    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerNearest, nullptr);
     draw->AddImage(static_cast<ImTextureID>(c.texture.id()), im(frame.picture.low),
                    im(frame.picture.low + frame.picture.size));
+    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerLinear, nullptr);
 }
 
 void draw_contents(PanelContext& c, const PlaceRect& panel) {

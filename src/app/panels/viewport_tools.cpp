@@ -16,7 +16,7 @@ void action_button(PanelContext& c, const char* icon, const char* id) {
     const bool active = a.is_checked && a.is_checked(c);
     if (active) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     if (ImGui::MenuItem(fmt::format("{}###{}", icon, id).c_str(), nullptr, false, is_enabled(a, c)))
-        a.run(c);
+        run_action(id, c);
     if (active) ImGui::PopStyleColor();
     const std::string key = chord_label(c.ui.keys.chords(id)[0]);
     ui::tooltip(
