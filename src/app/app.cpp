@@ -89,7 +89,10 @@ void draw_panels(PanelContext& c) {
 void remember_times(MetricsState& metrics, double interface_ms, const RenderStatus& status) {
     const size_t i = metrics.frames++ % MetricsState::kFrames;
     metrics.interface_ms[i] = static_cast<float>(interface_ms);
+    metrics.frame_ms[i] = ImGui::GetIO().DeltaTime * 1000;
     metrics.trace_ms[i] = static_cast<float>(status.step_ms);
+    metrics.display_ms[i] = static_cast<float>(status.display_ms);
+    metrics.show_ms_of_frame[i] = static_cast<float>(metrics.show_ms);
 }
 
 void write_screenshot(const Window& window, const std::filesystem::path& file) {
@@ -128,6 +131,8 @@ App::App(const AppOptions& options)
     ui.keys.from_names(ui.preferences.keys);
     saved_preferences_ = ui.preferences;
     apply_theme(ui.preferences.dark_theme, window.scale());
+    ui.previews = &previews;
+    ui.session = ui.used_session = session_options(options);
 }
 
 void App::show_newest_picture(PanelContext& c) {
@@ -162,6 +167,7 @@ void App::draw_frame(double wait_seconds) {
     // The interface, which may change the document.
     for (const std::filesystem::path& file : window.take_drops())
         open_scene(context, file);
+    previews.begin_frame();
     draw_panels(context);
     post_scene();
     if (title_ != document.title()) window.set_title((title_ = document.title()) + " - Teapath");

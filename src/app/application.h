@@ -3,6 +3,7 @@
 #pragma once
 
 #include "context.h"
+#include "preview/previews.h"
 
 #include <teapath/app/app.h>
 
@@ -32,6 +33,7 @@ public:
     UiState ui;
     Window window;
     DisplayTexture texture;
+    Previews previews;
     RenderStatus status;  // of the frame drawn last
 
 private:

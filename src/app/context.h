@@ -3,6 +3,7 @@
 #pragma once
 
 #include "display/display_texture.h"
+#include "image_open.h"
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
@@ -13,13 +14,17 @@
 
 #include <teapath/core/log.h>
 #include <teapath/editor/document.h>
+#include <teapath/editor/scene_tree.h>
 
 #include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace tp {
@@ -65,20 +70,32 @@ struct ViewportState {
 
 struct SceneTreeState {
     std::string search;
-    MaterialId chosen_material;  // shown in the inspector where no object is selected
+    SceneTree rows;
+    SceneItem anchor;          // where a range begins that Shift selects
+    bool is_renaming = false;  // a name is being typed in place
+    SceneItem renamed;         // of that thing
+    std::string rename_text;
+    SceneItem shown;                    // the selection that was last scrolled to
+    std::vector<SceneItem> menu_items;  // what the open menu acts on
 };
 
 struct ConsoleState {
-    std::vector<LogLine> lines;
+    std::deque<LogLine> lines;
     std::string filter;
+    std::string search;
+    std::array<bool, 4> shows{false, true, true, true};  // by LogLevel
     uint64_t cleared = 0;  // serial of the last line that Clear took away
+    uint64_t found = 0;    // serial of the line that the search is at; 0 = none
 };
 
 /// The last frames' times, as rings.
 struct MetricsState {
     static constexpr size_t kFrames = 240;
-    std::array<float, kFrames> interface_ms{};
+    std::array<float, kFrames> frame_ms{};      // from one frame to the next
+    std::array<float, kFrames> interface_ms{};  // panels and what draws them
     std::array<float, kFrames> trace_ms{};
+    std::array<float, kFrames> display_ms{};  // tone curve and copy
+    std::array<float, kFrames> show_ms_of_frame{};
     size_t frames = 0;   // since the start
     double show_ms = 0;  // from the renderer to the texture, of the last picture
 };
@@ -95,14 +112,34 @@ struct DialogState {
     std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
 };
 
+class Previews;
+
 /// What of the look is in force.
 struct AppliedLook {
     bool dark = true;
     float scale = 0;  // 0: not known yet
 };
 
+/// What one panel's file alone knows between frames: a value for each type, made at first use. It
+/// ends with the interface, as a static variable would not.
+class LocalState {
+public:
+    template <class T>
+    T& get() {
+        std::shared_ptr<void>& value = values_[typeid(T)];
+        if (!value) value = std::make_shared<T>();
+        return *static_cast<T*>(value.get());
+    }
+
+private:
+    std::map<std::type_index, std::shared_ptr<void>> values_;
+};
+
 struct UiState {
+    mutable LocalState local;
     Preferences preferences;
+    ImageOpen images;
+    Previews* previews = nullptr;  // null where no pictures can be shown
     KeyMap keys;
     const char* last_action = "";  // the id of the action that ran last
     bool paused = false;
@@ -111,6 +148,8 @@ struct UiState {
     SceneTreeState tree;
     ConsoleState console;
     MetricsState metrics;
+    SessionOptions session;       // what the renderer is to run on
+    SessionOptions used_session;  // what it was last told
     DialogState dialogs;
     AppliedLook look;
     std::deque<Toast> toasts;

@@ -65,6 +65,11 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "autosave_minutes", p.autosave_minutes);
     take(json, "recent_files", p.recent_files);
     take(json, "keys", p.keys);
+    take(json, "folded", p.folded);
+    take(json, "viewport_resolution", p.viewport.resolution_percent);
+    take(json, "viewport_moving_divider", p.viewport.moving_divider);
+    p.viewport.resolution_percent = std::clamp(p.viewport.resolution_percent, 10, 100);
+    p.viewport.moving_divider = std::clamp(p.viewport.moving_divider, 0, 8);
     p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
     p.fly_speed = std::clamp(p.fly_speed, 0.1, 10.0);
     p.look_degrees = std::clamp(p.look_degrees, 0.01, 1.0);
@@ -83,7 +88,10 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
                        {"look_degrees", p.look_degrees},
                        {"autosave_minutes", p.autosave_minutes},
                        {"recent_files", p.recent_files},
-                       {"keys", p.keys}};
+                       {"keys", p.keys},
+                       {"folded", p.folded},
+                       {"viewport_resolution", p.viewport.resolution_percent},
+                       {"viewport_moving_divider", p.viewport.moving_divider}};
     std::filesystem::path part = file;
     part += ".part";
     std::error_code error;

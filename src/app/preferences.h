@@ -10,6 +10,14 @@
 
 namespace tp {
 
+/// How the picture in the window is rendered; files are not touched by it.
+struct ViewportPreferences {
+    int resolution_percent = 100;  // of the panel's pixels, 10 to 100
+    int moving_divider = 0;        // of the resolution while something moves; 0 = by speed
+
+    friend bool operator==(const ViewportPreferences&, const ViewportPreferences&) = default;
+};
+
 struct Preferences {
     bool dark_theme = true;
     float interface_scale = 0;   // 0 = from the monitor; else 0.75 to 3
@@ -20,6 +28,8 @@ struct Preferences {
     int autosave_minutes = 2;    // 0 = off, up to 60
     std::vector<std::string> recent_files;                   // the newest first, at most kMaxRecent
     std::map<std::string, std::array<std::string, 2>> keys;  // see KeyMap::to_names
+    ViewportPreferences viewport;
+    std::vector<std::string> folded;  // headings of panels that are folded
 
     static constexpr size_t kMaxRecent = 12;
 

@@ -30,6 +30,10 @@ RenderWorker::RenderWorker(const SessionOptions& options)
     : thread_([this, options] { run(options); }) {}
 
 RenderWorker::~RenderWorker() {
+    stop();
+}
+
+void RenderWorker::stop() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
@@ -56,6 +60,22 @@ void RenderWorker::set_paused(bool paused) {
     const std::lock_guard lock(mutex_);
     paused_ = paused;
     wake_.notify_all();
+}
+
+void RenderWorker::set_options(const SessionOptions& options) {
+    stop();
+    stopping_ = false;
+    status_ = {};
+    has_request_ = request_.scene != nullptr;
+    request_.restart = false;
+    current_ = {};
+    divider_ = 1;
+    thread_ = std::thread([this, options] { run(options); });
+}
+
+bool RenderWorker::is_finished(const Session& session) const {
+    if (session.samples() == 0) return target_ == 0;
+    return session.samples() >= target_ || (limit_seconds_ > 0 && film_seconds_ >= limit_seconds_);
 }
 
 void RenderWorker::restart() {
@@ -147,9 +167,7 @@ void RenderWorker::work(Session& session) {
         {
             std::unique_lock lock(mutex_);
             status_.backend = session.backend_name();
-            const auto idle = [&] {
-                return paused_ || !current_.scene || session.samples() >= target_;
-            };
+            const auto idle = [&] { return paused_ || !current_.scene || is_finished(session); };
             const auto news = [&] {
                 return stopping_ || has_request_ || (current_.scene && !pick_queries_.empty());
             };
@@ -191,6 +209,7 @@ void RenderWorker::work(Session& session) {
         {
             const std::lock_guard lock(mutex_);
             if (paused_ && session.samples() > 0) samples = 0;  // one sample shows what was changed
+            if (is_finished(session)) samples = 0;
         }
         if (samples == 0) {
             if (changed && session.samples() > 0)
@@ -219,6 +238,7 @@ void RenderWorker::work(Session& session) {
 
 int RenderWorker::preview_divider(const Request& request) const {
     if (!request.is_moving) return 1;
+    if (const int chosen = moving_divider_; chosen > 0) return chosen;
     const double pixels = static_cast<double>(request.width) * request.height;
     const double wanted = std::sqrt(pixels / std::max(1.0, pixels_per_second_ * kPreviewSeconds));
     return std::clamp(static_cast<int>(std::ceil(wanted)), 1, 8);
@@ -236,6 +256,7 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     scene->render.width = std::max(1, request.width / divider);
     scene->render.height = std::max(1, request.height / divider);
     target_ = scene->render.samples;
+    limit_seconds_ = scene->render.seconds;
     {
         const std::lock_guard arrays(arrays_mutex_);
         arrays_ = nullptr;
@@ -265,7 +286,7 @@ void RenderWorker::publish(Session& session, bool is_preview) {
     status_.memory_bytes = session.memory_bytes();
     status_.invalid_samples = invalid_samples;
     image_ = std::move(image);
-    status_.is_done = session.samples() >= target_;
+    status_.is_done = is_finished(session);
     status_.is_preview = is_preview;
 }
 

@@ -49,6 +49,11 @@ public:
     void set_scene(std::shared_ptr<const Scene> scene, int width, int height, bool is_moving);
     void set_paused(bool paused);
     void restart();
+    /// Renders on something else from now on: ends the session and begins another with the same
+    /// scene. Waits for the step under way to give up.
+    void set_options(const SessionOptions& options);
+    /// By what the resolution is divided while something moves; 0 = by the renderer's speed.
+    void set_moving_divider(int divider) { moving_divider_ = divider; }
 
     /// The newest picture, once.
     std::optional<DisplayImage> take_image();
@@ -78,6 +83,8 @@ private:
         bool is_moving = false;
         bool restart = false;
     };
+    void stop();
+    bool is_finished(const Session& session) const;
     void run(SessionOptions options);
     void work(Session& session);
     bool apply(Session& session, const Request& request);
@@ -99,12 +106,14 @@ private:
     std::optional<DisplayImage> image_;
     RenderStatus status_;
     std::atomic<Session*> session_ = nullptr;
+    std::atomic<int> moving_divider_ = 0;
 
     // The thread's own.
     Request current_;
     double pixels_per_second_ = 2e6;
     int divider_ = 1;
     int64_t target_ = 0;
+    double limit_seconds_ = 0;  // of tracing; 0 = none
     double film_seconds_ = 0;
     std::thread thread_;
 };

@@ -10,30 +10,17 @@ namespace tp {
 namespace {
 
 ImFont* console_font = nullptr;
-
-ImVec4 grey(int level, float alpha = 1) {
-    const float x = static_cast<float>(level) / 255.0f;
-    return {x, x, x + (level < 128 ? 2 / 255.0f : 0), alpha};
-}
-
-// One accent, amber as tea: selection, the active tool, progress.
-ImVec4 amber(float alpha) {
-    return {232 / 255.0f, 163 / 255.0f, 61 / 255.0f, alpha};
-}
+ImFont* heading_font = nullptr;
+const Palette* palette = &kDarkPalette;
 
 ImFont* load(const std::string& file, float size) {
     if (!std::filesystem::exists(file)) return nullptr;
     return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), size);
 }
 
-struct Levels {
-    int window, panel, field, hover, active, text, dim, line;
-};
-
-void apply(const Levels& l, float scale) {
-    ImGuiStyle style;
+void set_metrics(ImGuiStyle& style) {
     style.WindowRounding = style.FrameRounding = style.GrabRounding = style.PopupRounding =
-        style.TabRounding = 4;
+        style.TabRounding = style.ChildRounding = 4;
     style.WindowPadding = {8, 8};
     style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 4};
@@ -42,47 +29,56 @@ void apply(const Levels& l, float scale) {
     style.ScrollbarSize = 12;
     style.WindowBorderSize = 0;
     style.FrameBorderSize = 0;
+    style.PopupBorderSize = 1;
     style.TabBarBorderSize = 1;
     style.DockingSeparatorSize = 4;
     style.WindowMenuButtonPosition = ImGuiDir_None;
-    ImVec4* c = style.Colors;
-    c[ImGuiCol_Text] = grey(l.text);
-    c[ImGuiCol_TextDisabled] = grey(l.dim);
-    c[ImGuiCol_WindowBg] = c[ImGuiCol_ChildBg] = grey(l.panel);
-    c[ImGuiCol_ChildBg].w = 0;
-    c[ImGuiCol_PopupBg] = grey(l.panel, 0.98f);
-    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = grey(l.line);
-    c[ImGuiCol_FrameBg] = grey(l.field);
-    c[ImGuiCol_FrameBgHovered] = grey(l.hover);
-    c[ImGuiCol_FrameBgActive] = grey(l.active);
+    style.HoverDelayNormal = 0.5f;
+}
+
+void set_colors(ImVec4* c, const Palette& p) {
+    c[ImGuiCol_Text] = to_color(p.text);
+    c[ImGuiCol_TextDisabled] = to_color(p.dim);
+    c[ImGuiCol_WindowBg] = to_color(p.panel);
+    c[ImGuiCol_ChildBg] = to_color(p.panel, 0);
+    c[ImGuiCol_PopupBg] = to_color(p.panel, 0.98f);
+    c[ImGuiCol_Border] = c[ImGuiCol_Separator] = to_color(p.line);
+    c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = to_color(p.field);
+    c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = to_color(p.hover);
+    c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = to_color(p.active);
     c[ImGuiCol_TitleBg] = c[ImGuiCol_TitleBgActive] = c[ImGuiCol_TitleBgCollapsed] =
-        c[ImGuiCol_MenuBarBg] = grey(l.window);
-    c[ImGuiCol_DockingEmptyBg] = grey(l.window);
-    c[ImGuiCol_Tab] = c[ImGuiCol_TabDimmed] = grey(l.window);
-    c[ImGuiCol_TabHovered] = grey(l.hover);
-    c[ImGuiCol_TabSelected] = c[ImGuiCol_TabDimmedSelected] = grey(l.panel);
-    c[ImGuiCol_TabSelectedOverline] = amber(1);
-    c[ImGuiCol_TabDimmedSelectedOverline] = grey(l.panel);
-    c[ImGuiCol_Button] = grey(l.field);
-    c[ImGuiCol_ButtonHovered] = grey(l.hover);
-    c[ImGuiCol_ButtonActive] = grey(l.active);
-    c[ImGuiCol_Header] = amber(0.28f);
-    c[ImGuiCol_HeaderHovered] = grey(l.hover);
-    c[ImGuiCol_HeaderActive] = amber(0.4f);
-    c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] = amber(1);
-    c[ImGuiCol_PlotHistogram] = c[ImGuiCol_PlotLines] = amber(1);
-    c[ImGuiCol_TextSelectedBg] = amber(0.35f);
-    c[ImGuiCol_NavCursor] = c[ImGuiCol_DragDropTarget] = amber(1);
-    c[ImGuiCol_DockingPreview] = amber(0.5f);
-    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = amber(0.8f);
-    c[ImGuiCol_ResizeGrip] = grey(l.line);
-    c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = amber(0.8f);
-    c[ImGuiCol_ScrollbarBg] = grey(l.panel, 0);
-    c[ImGuiCol_ScrollbarGrab] = grey(l.hover);
-    c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = grey(l.dim);
-    c[ImGuiCol_TableRowBgAlt] = grey(l.text, 0.03f);
-    style.ScaleAllSizes(scale);
-    ImGui::GetStyle() = style;
+        c[ImGuiCol_MenuBarBg] = c[ImGuiCol_DockingEmptyBg] = to_color(p.window);
+    c[ImGuiCol_Tab] = c[ImGuiCol_TabDimmed] = to_color(p.window);
+    c[ImGuiCol_TabHovered] = to_color(p.hover);
+    c[ImGuiCol_TabSelected] = c[ImGuiCol_TabDimmedSelected] = to_color(p.panel);
+    c[ImGuiCol_TabSelectedOverline] = to_color(p.accent);
+    c[ImGuiCol_TabDimmedSelectedOverline] = to_color(p.panel);
+    c[ImGuiCol_Header] = to_color(p.selected);
+    c[ImGuiCol_HeaderHovered] = to_color(p.hover);
+    c[ImGuiCol_HeaderActive] = to_color(p.active);
+    c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = c[ImGuiCol_SliderGrabActive] =
+        to_color(p.accent);
+    c[ImGuiCol_CheckboxSelectedBg] = to_color(p.field);
+    c[ImGuiCol_InputTextCursor] = c[ImGuiCol_UnsavedMarker] = to_color(p.text);
+    c[ImGuiCol_TextLink] = to_color(p.accent_text);
+    c[ImGuiCol_TreeLines] = c[ImGuiCol_TableBorderStrong] = c[ImGuiCol_TableBorderLight] =
+        to_color(p.line);
+    c[ImGuiCol_DragDropTargetBg] = to_color(p.accent, 0.15f);
+    c[ImGuiCol_NavWindowingHighlight] = to_color(p.accent, 0.7f);
+    c[ImGuiCol_PlotHistogramHovered] = c[ImGuiCol_PlotLinesHovered] = to_color(p.accent);
+    c[ImGuiCol_PlotHistogram] = c[ImGuiCol_PlotLines] = to_color(p.accent);
+    c[ImGuiCol_TextSelectedBg] = to_color(p.accent, 0.35f);
+    c[ImGuiCol_NavCursor] = c[ImGuiCol_DragDropTarget] = to_color(p.accent);
+    c[ImGuiCol_DockingPreview] = to_color(p.accent, 0.5f);
+    c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = to_color(p.accent, 0.8f);
+    c[ImGuiCol_ResizeGrip] = to_color(p.line);
+    c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = to_color(p.accent, 0.8f);
+    c[ImGuiCol_ScrollbarBg] = to_color(p.panel, 0);
+    c[ImGuiCol_ScrollbarGrab] = to_color(p.active);
+    c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = to_color(p.dim);
+    c[ImGuiCol_TableRowBgAlt] = to_color(p.text, 0.03f);
+    c[ImGuiCol_TableHeaderBg] = to_color(p.field);
+    c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);
 }
 
 }  // namespace
@@ -90,14 +86,19 @@ void apply(const Levels& l, float scale) {
 void load_fonts(float scale) {
     ImFontAtlas* fonts = ImGui::GetIO().Fonts;
     const std::string folder = TEAPATH_FONTS;
-    if (!load(folder + "/Roboto/Roboto-Regular.ttf", 15 * scale)) fonts->AddFontDefault();
-    ImFontConfig icons;
-    icons.MergeMode = true;
-    icons.GlyphMinAdvanceX = 18 * scale;
     const std::string icon_file =
         std::string(TEAPATH_ICON_FONT) + "/Font_Awesome_6_Free-Solid-900.otf";
-    if (std::filesystem::exists(icon_file))
-        fonts->AddFontFromFileTTF(icon_file.c_str(), 12 * scale, &icons);
+    const auto add_icons = [&] {
+        ImFontConfig icons;
+        icons.MergeMode = true;
+        icons.GlyphMinAdvanceX = 18 * scale;
+        if (std::filesystem::exists(icon_file))
+            fonts->AddFontFromFileTTF(icon_file.c_str(), 12 * scale, &icons);
+    };
+    if (!load(folder + "/Roboto/Roboto-Regular.ttf", 15 * scale)) fonts->AddFontDefault();
+    add_icons();
+    heading_font = load(folder + "/Roboto/Roboto-Bold.ttf", 15 * scale);
+    if (heading_font) add_icons();
     console_font = load(folder + "/Inconsolata-Medium.ttf", 14 * scale);
 }
 
@@ -105,11 +106,26 @@ ImFont* monospaced_font() {
     return console_font ? console_font : ImGui::GetIO().Fonts->Fonts.front();
 }
 
+ImFont* bold_font() {
+    return heading_font ? heading_font : ImGui::GetIO().Fonts->Fonts.front();
+}
+
+const Palette& theme() {
+    return *palette;
+}
+
+ImVec4 to_color(Rgb rgb, float alpha) {
+    return {static_cast<float>(rgb.r) / 255, static_cast<float>(rgb.g) / 255,
+            static_cast<float>(rgb.b) / 255, alpha};
+}
+
 void apply_theme(bool dark, float scale) {
-    if (dark)
-        apply({30, 40, 54, 68, 80, 222, 150, 62}, scale);
-    else
-        apply({206, 226, 244, 250, 255, 24, 92, 190}, scale);
+    palette = dark ? &kDarkPalette : &kLightPalette;
+    ImGuiStyle style;
+    set_metrics(style);
+    set_colors(style.Colors, *palette);
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
 }
 
 }  // namespace tp

@@ -1,157 +1,83 @@
+// Buttons, headings, tooltips and texts that fit; the rows are in widget_rows.cpp.
 #include "widgets.h"
 
-#include <teapath/core/color.h>
+#include "theme.h"
 
-#include <imgui_stdlib.h>
+#include <icons_font_awesome_6.h>
+#include <imgui_internal.h>
 
-#include <cmath>
+#include <algorithm>
 
 namespace tp::ui {
 namespace {
 
-// ImGui wants ids that are not shown.
-std::string hidden(const char* name) {
-    return std::string("##") + name;
+// The part of a label that is shown: what comes before "##".
+std::string shown(const char* name) {
+    return {name, ImGui::FindRenderedTextEnd(name)};
+}
+
+// A heading's line: chevron, bold text, the whole width to click. True when it was clicked.
+bool heading_line(const char* name, const char* icon, bool clickable) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x),
+                height = ImGui::GetFrameHeight();
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    bool pressed = false;
+    if (clickable)
+        pressed = ImGui::InvisibleButton(name, {width, height});
+    else
+        ImGui::Dummy({width, height});
+    if (clickable && (ImGui::IsItemHovered() || ImGui::IsItemFocused()))
+        draw->AddRectFilled(low, {low.x + width, low.y + height},
+                            ImGui::GetColorU32(ImGuiCol_HeaderHovered), style.FrameRounding);
+    const float y = low.y + style.FramePadding.y;
+    float x = low.x + style.FramePadding.x / 2;
+    if (icon) {
+        draw->AddText({x, y}, ImGui::GetColorU32(ImGuiCol_TextDisabled), icon);
+        x += ImGui::GetFontSize() * 1.2f;
+    }
+    ImGui::PushFont(bold_font(), 0);
+    const std::string text = fitted(shown(name), low.x + width - x);
+    draw->AddText({x, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    ImGui::PopFont();
+    return pressed;
 }
 
 }  // namespace
 
-bool begin_rows(const char* id) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX))
-        return false;
-    ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.4f);
-    ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthStretch, 0.6f);
-    return true;
-}
-
-void end_rows() {
-    ImGui::EndTable();
-}
-
 void tooltip(const char* text) {
-    if (text &&
-        ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-        ImGui::TextUnformatted(text);
-        ImGui::PopTextWrapPos();
-        ImGui::EndTooltip();
-    }
-}
-
-bool label(const char* text, const char* help) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::AlignTextToFramePadding();
+    if (!text || !*text) return;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled))
+        return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(text);
-    const bool reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-    tooltip(help);
-    ImGui::TableNextColumn();
-    return reset;
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
 }
 
-bool row(const char* name, double& value, double standard, double speed, double low, double high,
-         const char* format, const char* help) {
-    const bool reset = label(name, help);
-    ImGui::SetNextItemWidth(-1);
-    bool changed = ImGui::DragScalar(hidden(name).c_str(), ImGuiDataType_Double, &value,
-                                     static_cast<float>(speed), &low, &high, format,
-                                     ImGuiSliderFlags_AlwaysClamp);
-    tooltip(help);
-    if (reset && value != standard) {
-        value = standard;
-        changed = true;
+std::string fitted(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    const std::string dots = "\xe2\x80\xa6";
+    // Bisection over the bytes that are kept; a character is never cut in two.
+    size_t low = 0, high = text.size();
+    while (low < high) {
+        const size_t middle = (low + high + 1) / 2;
+        if (ImGui::CalcTextSize((text.substr(0, middle) + dots).c_str()).x <= width)
+            low = middle;
+        else
+            high = middle - 1;
     }
-    return changed && std::isfinite(value);
+    while (low > 0 && low < text.size() && (static_cast<unsigned char>(text[low]) & 0xc0) == 0x80)
+        --low;
+    return text.substr(0, low) + dots;
 }
 
-bool row(const char* name, float& value, float standard, float speed, float low, float high,
-         const char* format, const char* help) {
-    double wide = static_cast<double>(value);
-    const bool changed = row(name, wide, static_cast<double>(standard), static_cast<double>(speed),
-                             static_cast<double>(low), static_cast<double>(high), format, help);
-    value = static_cast<float>(wide);
-    return changed;
-}
-
-bool row(const char* name, int& value, int standard, int low, int high, const char* help) {
-    const bool reset = label(name, help);
-    ImGui::SetNextItemWidth(-1);
-    bool changed = ImGui::DragInt(hidden(name).c_str(), &value, 0.25f, low, high, "%d",
-                                  ImGuiSliderFlags_AlwaysClamp);
-    tooltip(help);
-    if (reset && value != standard) {
-        value = standard;
-        changed = true;
-    }
-    return changed;
-}
-
-bool row(const char* name, bool& value, const char* help) {
-    label(name, help);
-    const bool changed = ImGui::Checkbox(hidden(name).c_str(), &value);
-    tooltip(help);
-    return changed;
-}
-
-bool row(const char* name, std::string& value, const char* help) {
-    label(name, help);
-    ImGui::SetNextItemWidth(-1);
-    const bool changed = ImGui::InputText(hidden(name).c_str(), &value);
-    tooltip(help);
-    return changed;
-}
-
-bool row(const char* name, Double3& value, const Double3& standard, double speed,
-         const char* format, const char* help) {
-    const bool reset = label(name, help);
-    ImGui::SetNextItemWidth(-1);
-    bool changed = ImGui::DragScalarN(hidden(name).c_str(), ImGuiDataType_Double, &value.x, 3,
-                                      static_cast<float>(speed), nullptr, nullptr, format);
-    tooltip(help);
-    if (reset && value != standard) {
-        value = standard;
-        changed = true;
-    }
-    return changed && std::isfinite(value.x + value.y + value.z);
-}
-
-bool row(const char* name, Double2& value, const Double2& standard, double speed,
-         const char* format, const char* help) {
-    const bool reset = label(name, help);
-    ImGui::SetNextItemWidth(-1);
-    bool changed = ImGui::DragScalarN(hidden(name).c_str(), ImGuiDataType_Double, &value.x, 2,
-                                      static_cast<float>(speed), nullptr, nullptr, format);
-    tooltip(help);
-    if (reset && value != standard) {
-        value = standard;
-        changed = true;
-    }
-    return changed && std::isfinite(value.x + value.y);
-}
-
-bool row_color(const char* name, Double3& linear, const char* help) {
-    label(name, help);
-    float srgb[3];
-    for (int c = 0; c < 3; ++c) {
-        const auto x = static_cast<float>(linear[c]);
-        srgb[c] = x <= 1 ? srgb_from_linear(x) : x;  // radiance above 1 stays a number
-    }
-    ImGui::SetNextItemWidth(-1);
-    const bool changed = ImGui::ColorEdit3(
-        hidden(name).c_str(), srgb,
-        ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_Float);
-    tooltip(help);
-    if (changed)
-        for (int c = 0; c < 3; ++c)
-            linear[c] = static_cast<double>(
-                srgb[c] <= 1 ? linear_from_srgb(srgb[c] < 0 ? 0 : srgb[c]) : srgb[c]);
-    return changed;
-}
-
-void row_text(const char* name, const std::string& text) {
-    label(name, nullptr);
-    ImGui::TextUnformatted(text.c_str());
+void fitted_text(const std::string& text, float width) {
+    const std::string cut = fitted(text, width);
+    ImGui::TextUnformatted(cut.c_str());
+    if (cut != text) tooltip(text.c_str());
 }
 
 bool button(const char* text, bool enabled, const char* reason) {
@@ -162,12 +88,62 @@ bool button(const char* text, bool enabled, const char* reason) {
     return pressed;
 }
 
+bool icon_button(const char* icon, const char* help, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushStyleVarX(ImGuiStyleVar_FramePadding, 0);
+    const float size = ImGui::GetFrameHeight();
+    const bool pressed = ImGui::Button(icon, {size, size});
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+    ImGui::EndDisabled();
+    tooltip(help);
+    return pressed;
+}
+
 bool section(const char* name) {
-    ImGui::PushStyleColor(ImGuiCol_Header, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
-    ImGui::PushStyleColor(ImGuiCol_HeaderActive, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
-    const bool open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
-    ImGui::PopStyleColor(2);
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(name);
+    bool open = storage->GetBool(id, true);
+    if (heading_line(name, open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT, true))
+        storage->SetBool(id, open = !open);
     return open;
+}
+
+bool section(const char* name, std::vector<std::string>& folded) {
+    const auto found = std::find(folded.begin(), folded.end(), name);
+    const bool open = found == folded.end();
+    if (!heading_line(name, open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT, true)) return open;
+    if (open)
+        folded.emplace_back(name);
+    else
+        folded.erase(found);
+    return !open;
+}
+
+void heading(const char* name) {
+    ImGui::Separator();
+    heading_line(name, nullptr, false);
+}
+
+void empty_state(const char* icon, const char* text) {
+    const ImVec2 space = ImGui::GetContentRegionAvail();
+    const float wrap = std::min(space.x, ImGui::GetFontSize() * 18);
+    if (wrap < 1) return;
+    const ImVec2 size = ImGui::CalcTextSize(text, nullptr, false, wrap);
+    const float line = ImGui::GetFontSize();
+    const float top = ImGui::GetCursorPosY() + std::max(0.0f, (space.y - size.y - 3 * line) * 0.4f);
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::PushFont(nullptr, ImGui::GetStyle().FontSizeBase * 1.8f);
+    const float left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPos({left + (space.x - ImGui::CalcTextSize(icon).x) / 2, top});
+    ImGui::TextUnformatted(icon);
+    ImGui::PopFont();
+    ImGui::SetCursorPosX(left + (space.x - size.x) / 2);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
 }
 
 }  // namespace tp::ui

@@ -145,8 +145,10 @@ std::map<std::string, std::string> metadata(const std::filesystem::path& file, c
 }
 
 std::string start_text(const RenderOptions& options, const Scene& scene, const Session& session) {
-    const std::string limit = options.seconds ? fmt::format("{} s", *options.seconds)
-                                              : fmt::format("{} spp", scene.render.samples);
+    std::string limit = options.seconds ? fmt::format("{} s", *options.seconds)
+                                        : fmt::format("{} spp", scene.render.samples);
+    if (!options.seconds && scene.render.seconds > 0)
+        limit += fmt::format(" or {} s", scene.render.seconds);
     return fmt::format("{}: {} x {}, {}, seed {}, on {}\n", options.scene.filename().string(),
                        scene.render.width, scene.render.height, limit, scene.render.path.seed,
                        session.backend_name());
@@ -183,7 +185,8 @@ int render(const RenderOptions& options) {
     // Samples, until there are enough.
     const int64_t pixels = int64_t{scene->render.width} * scene->render.height;
     const bool open_ended = options.seconds && !options.samples;
-    const ProgressGoal goal{open_ended ? 0 : scene->render.samples, options.seconds.value_or(0),
+    const ProgressGoal goal{open_ended ? 0 : scene->render.samples,
+                            options.seconds.value_or(scene->render.seconds),
                             pixels};
     interrupt.begin_saving();
     const auto stopping = [&] { return interrupt.requested(); };

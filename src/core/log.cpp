@@ -2,6 +2,8 @@
 
 #include <fmt/chrono.h>
 #include <spdlog/sinks/base_sink.h>
+#include <spdlog/sinks/dist_sink.h>
+#include <spdlog/sinks/rotating_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -13,6 +15,8 @@ namespace tp {
 namespace {
 
 constexpr size_t kRememberedLines = 4096;
+constexpr size_t kFileBytes = 1 << 20;
+constexpr size_t kOlderFiles = 3;
 
 LogLevel level_of(spdlog::level::level_enum level) {
     if (level >= spdlog::level::err) return LogLevel::Error;
@@ -50,10 +54,16 @@ const std::shared_ptr<MemorySink>& memory_sink() {
     return sink;
 }
 
+// Sinks can be added to this one while lines are written.
+const std::shared_ptr<spdlog::sinks::dist_sink_mt>& file_sinks() {
+    static const auto sink = std::make_shared<spdlog::sinks::dist_sink_mt>();
+    return sink;
+}
+
 spdlog::logger& logger() {
     static const std::shared_ptr<spdlog::logger> instance = [] {
         const std::initializer_list<spdlog::sink_ptr> sinks = {
-            std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), memory_sink()};
+            std::make_shared<spdlog::sinks::stderr_color_sink_mt>(), memory_sink(), file_sinks()};
         auto made = std::make_shared<spdlog::logger>("teapath", sinks);
         made->set_pattern("%^%l%$: %v");
         return made;
@@ -75,6 +85,20 @@ spdlog::level::level_enum level_of(LogLevel level) {
 
 void set_log_level(LogLevel level) {
     logger().set_level(level_of(level));
+}
+
+std::string log_to_file(const std::string& file) {
+    try {
+        logger();  // sets the pattern of the sinks that are there, which is not that of the file
+        auto sink =
+            std::make_shared<spdlog::sinks::rotating_file_sink_mt>(file, kFileBytes, kOlderFiles);
+        file_sinks()->set_sinks({sink});
+        sink->set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
+        logger().flush_on(spdlog::level::info);
+        return {};
+    } catch (const spdlog::spdlog_ex& error) {
+        return error.what();
+    }
 }
 
 std::vector<LogLine> log_lines_after(uint64_t serial) {

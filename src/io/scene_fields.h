@@ -179,6 +179,7 @@ void render_fields(V& v, RenderSettings& r) {
     v("width", r.width);
     v("height", r.height);
     v("samples", r.samples);
+    v("seconds", r.seconds);
     v("integrator", r.path.integrator);
     v("max_depth", r.path.max_depth);
     v("roulette_depth", r.path.roulette_depth);

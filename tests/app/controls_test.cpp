@@ -162,9 +162,8 @@ TEST_CASE("controls: the inspector of every shape and material at its limits, an
             ctx->Yield(2);
             e.exercise("//Inspector");
         }
-        t.app->document.selection.clear();
         for (const Material& material : start.materials) {
-            t.app->ui.tree.chosen_material = material.id;
+            t.app->document.select(item_of(material.id));
             ctx->Yield(2);
             e.exercise("//Inspector");
         }

@@ -15,6 +15,10 @@ enum class LogLevel { Debug, Info, Warning, Error };
 /// Shows lines of this level and above. Thread-safe.
 void set_log_level(LogLevel level);
 
+/// Also writes every line to this file from now on, with date and time: at most 1 MiB, then it
+/// becomes "name.1.ext", and so on for three older ones. Returns what went wrong, or nothing.
+std::string log_to_file(const std::string& file);
+
 /// Writes one line. Thread-safe.
 void log_line(LogLevel level, std::string_view text);
 

@@ -35,7 +35,8 @@ inline constexpr int kMaxSamples = 1 << 30;
 struct RenderSettings {
     int width = 1280;  // pixels, 1 to 65,536; width * height at most 2^28
     int height = 720;
-    int samples = 64;  // per pixel, 1 to 2^30
+    int samples = 64;    // per pixel, 1 to 2^30
+    double seconds = 0;  // the render stops after, whatever the samples; 0 = no limit
     PathSettings path;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;

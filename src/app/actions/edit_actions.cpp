@@ -1,16 +1,26 @@
 // Undo, redo, and what is done to the selection.
 #include "../actions.h"
+#include "../panels/scene_tree_parts.h"
 
 #include <teapath/editor/scene_edits.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace tp {
 namespace {
 
 bool has_selection(const PanelContext& c) {
-    return !c.document.selection.empty();
+    return !c.document.selected_items().empty();
+}
+
+bool can_delete(const PanelContext& c) {
+    const std::vector<SceneItem> items = c.document.selected_items();
+    return std::any_of(items.begin(), items.end(), [&](SceneItem item) {
+        return why_not_deleted(c.document.scene(), item).empty();
+    });
 }
 
 std::string undo_title(const PanelContext& c) {
@@ -24,21 +34,26 @@ std::string redo_title(const PanelContext& c) {
 }
 
 void duplicate(PanelContext& c) {
-    std::vector<ObjectId> made;
+    std::vector<SceneItem> made;
     c.document.edit("Duplicate", "",
-                    [&](Scene& s) { made = duplicate_objects(s, c.document.selection); });
-    c.document.selection = made;
+                    [&](Scene& s) { made = duplicate_items(s, c.document.selected_items()); });
+    if (!made.empty()) c.document.select_items(made);
 }
 
 void delete_selection(PanelContext& c) {
     c.document.edit("Delete", "",
-                    [ids = c.document.selection](Scene& s) { delete_objects(s, ids); });
+                    [items = c.document.selected_items()](Scene& s) { delete_items(s, items); });
+}
+
+void rename_selection(PanelContext& c) {
+    start_rename(c, c.document.selected_items().back());
 }
 
 void select_all(PanelContext& c) {
-    c.document.selection.clear();
+    std::vector<SceneItem> all;
     for (const Object& o : c.document.scene().objects)
-        c.document.selection.push_back(o.id);
+        all.push_back(item_of(o.id));
+    c.document.select_items(all);
 }
 
 void clear_scene(PanelContext& c) {
@@ -71,7 +86,7 @@ std::vector<Action> edit_actions() {
         {.id = "edit.duplicate",
          .menu = "Edit",
          .label = "Duplicate",
-         .help = "Copies the selected objects, a little to the side",
+         .help = "Copies what is selected; objects stand a little to the side",
          .keys = {ImGuiMod_Ctrl | ImGuiKey_D},
          .run = duplicate,
          .is_enabled = has_selection,
@@ -79,9 +94,16 @@ std::vector<Action> edit_actions() {
         {.id = "edit.delete",
          .menu = "Edit",
          .label = "Delete",
-         .help = "Removes the selected objects",
+         .help = "Removes what is selected",
          .keys = {ImGuiKey_Delete},
          .run = delete_selection,
+         .is_enabled = can_delete},
+        {.id = "edit.rename",
+         .menu = "Edit",
+         .label = "Rename",
+         .help = "Types another name in the tree",
+         .keys = {ImGuiKey_F2},
+         .run = rename_selection,
          .is_enabled = has_selection},
         {.id = "edit.select_all",
          .menu = "Edit",

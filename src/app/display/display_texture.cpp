@@ -1,5 +1,7 @@
 #include "display_texture.h"
 
+#include "gl_texture.h"
+
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -10,30 +12,17 @@ namespace tp {
 
 // A texture of one size, with the buffer that fills it in the Buffer way.
 struct DisplayTexture::Slot {
-    Slot(int w, int h) : width(w), height(h) {
-        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-        glTextureStorage2D(texture, 1, GL_RGBA8, w, h);
-        glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-        glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
+    Slot(int width, int height) : texture(width, height) {}
     ~Slot() {
         registration.reset();
-        glDeleteTextures(1, &texture);
         if (buffer) glDeleteBuffers(1, &buffer);
     }
     Slot(const Slot&) = delete;
     Slot& operator=(const Slot&) = delete;
 
-    // RGBA bytes from memory, or from the bound buffer where `rgba` is null.
-    void fill(const void* rgba) const {
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-        glTextureSubImage2D(texture, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-    }
     void fill_from_buffer() const {
         glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer);
-        fill(nullptr);
+        texture.fill_rgba(nullptr);
         glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     }
 
@@ -44,17 +33,18 @@ struct DisplayTexture::Slot {
         if (way == DisplayWay::Buffer) {
             if (!buffer) {
                 glCreateBuffers(1, &buffer);
-                glNamedBufferStorage(buffer, GLsizeiptr{4} * width * height, nullptr, 0);
+                glNamedBufferStorage(buffer, GLsizeiptr{4} * texture.width() * texture.height(),
+                                     nullptr, 0);
             }
             registration = interop.register_buffer(buffer);
         } else {
-            registration = interop.register_texture(texture, way);
+            registration = interop.register_texture(texture.id(), way);
         }
         registered_way = way;
     }
 
-    int width, height;
-    unsigned texture = 0, buffer = 0;
+    GlTexture texture;
+    unsigned buffer = 0;
     std::shared_ptr<GlCudaImage::Registration> registration;
     DisplayWay registered_way = DisplayWay::Auto;
 };
@@ -95,7 +85,7 @@ void DisplayTexture::update(const DisplaySettings& display) {
 
 void DisplayTexture::show_host_image() {
     const auto start = std::chrono::steady_clock::now();
-    slot_for(image_.width, image_.height).fill(image_.rgba.data());
+    slot_for(image_.width, image_.height).texture.fill_rgba(image_.rgba.data());
     const std::chrono::duration<double, std::milli> taken =
         std::chrono::steady_clock::now() - start;
     copy_ms_ = taken.count();
@@ -128,7 +118,7 @@ void DisplayTexture::show_device_image(const DisplaySettings& display) {
 void DisplayTexture::finish_download() {
     const auto rgba = interop_->finished_download();
     if (rgba.empty()) return;
-    slot_for(download_.width, download_.height).fill(rgba.data());
+    slot_for(download_.width, download_.height).texture.fill_rgba(rgba.data());
     shown_samples_ = download_.samples;
     download_ = {};
 }
@@ -150,7 +140,7 @@ double DisplayTexture::show_ms() {
 
 DisplayTexture::Slot& DisplayTexture::slot_for(int width, int height) {
     auto found = std::find_if(slots_.begin(), slots_.end(), [&](const auto& slot) {
-        return slot->width == width && slot->height == height;
+        return slot->texture.width() == width && slot->texture.height() == height;
     });
     if (found == slots_.end()) {
         if (slots_.size() >= kSlots) slots_.pop_back();
@@ -162,13 +152,13 @@ DisplayTexture::Slot& DisplayTexture::slot_for(int width, int height) {
 }
 
 uint64_t DisplayTexture::id() const {
-    return slots_.empty() ? 0 : slots_.front()->texture;
+    return slots_.empty() ? 0 : slots_.front()->texture.id();
 }
 int DisplayTexture::width() const {
-    return slots_.empty() ? 0 : slots_.front()->width;
+    return slots_.empty() ? 0 : slots_.front()->texture.width();
 }
 int DisplayTexture::height() const {
-    return slots_.empty() ? 0 : slots_.front()->height;
+    return slots_.empty() ? 0 : slots_.front()->texture.height();
 }
 
 std::vector<uint8_t> DisplayTexture::pixels() const {
@@ -176,7 +166,7 @@ std::vector<uint8_t> DisplayTexture::pixels() const {
                              static_cast<size_t>(height()));
     if (rgb.empty()) return rgb;
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glGetTextureImage(slots_.front()->texture, 0, GL_RGB, GL_UNSIGNED_BYTE,
+    glGetTextureImage(slots_.front()->texture.id(), 0, GL_RGB, GL_UNSIGNED_BYTE,
                       static_cast<GLsizei>(rgb.size()), rgb.data());
     return rgb;
 }

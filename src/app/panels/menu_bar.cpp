@@ -1,25 +1,14 @@
 // The menus, and the tools beside them.
 #include "../actions.h"
 #include "../widgets.h"
+#include "add_menu.h"
 #include "panels.h"
 
-#include <teapath/editor/scene_edits.h>
-
-#include <fmt/format.h>
 #include <icons_font_awesome_6.h>
 #include <imgui.h>
 
 namespace tp {
 namespace {
-
-void add_shape(PanelContext& c, const ShapeKind& kind) {
-    const Camera camera = active_camera(c.document.scene());
-    const double size = glm::distance(camera.look_from, camera.look_at) * 0.2;
-    ObjectId made;
-    c.document.edit(fmt::format("Add {}", kind.label), "",
-                    [&](Scene& s) { made = add_object(s, kind, camera.look_at, size); });
-    c.document.select(made);
-}
 
 void draw_tools(PanelContext& c) {
     ImGui::TextDisabled("|");
@@ -30,10 +19,14 @@ void draw_tools(PanelContext& c) {
     ui::tooltip("Pause and resume (P)");
 }
 
+// The scene's name at the right, as much of it as there is room for.
 void draw_title(PanelContext& c) {
-    const std::string title = c.document.title();
-    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(title.c_str()).x - 16);
-    ImGui::TextUnformatted(title.c_str());
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 24;
+    if (room < ImGui::GetFontSize() * 3) return;
+    const std::string title = c.document.title(), shown = ui::fitted(title, room);
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - 16);
+    ImGui::TextUnformatted(shown.c_str());
+    ui::tooltip(c.document.file().string().c_str());
 }
 
 }  // namespace
@@ -42,10 +35,7 @@ void draw_menu_bar(PanelContext& c) {
     if (!ImGui::BeginMainMenuBar()) return;
     for (const char* menu : {"File", "Edit", "Add", "View", "Render", "Help"}) {
         if (!ImGui::BeginMenu(menu)) continue;
-        if (std::string_view(menu) == "Add") {
-            for (const ShapeKind& kind : shape_kinds())
-                if (ImGui::MenuItem(kind.label)) add_shape(c, kind);
-        }
+        if (std::string_view(menu) == "Add") add_menu_items(c);
         draw_menu_items(c, menu);
         ImGui::EndMenu();
     }

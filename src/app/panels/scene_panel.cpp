@@ -1,8 +1,9 @@
-// The tree of objects and materials.
+// The tree of everything in the scene. Only the rows in sight are drawn, so that a hundred thousand
+// objects cost nothing.
 #include "../widgets.h"
+#include "add_menu.h"
 #include "panels.h"
-
-#include <teapath/editor/scene_edits.h>
+#include "scene_tree_parts.h"
 
 #include <fmt/format.h>
 #include <icons_font_awesome_6.h>
@@ -14,108 +15,157 @@
 namespace tp {
 namespace {
 
-bool matches(const std::string& name, const std::string& search) {
-    const auto same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) ==
-               std::tolower(static_cast<unsigned char>(b));
-    };
-    return search.empty() ||
-           std::search(name.begin(), name.end(), search.begin(), search.end(), same) != name.end();
+struct SectionText {
+    TreeSection section;
+    const char* name;
+    void (*add)(PanelContext&);  // items of the menu behind "+"; null: no such menu
+};
+
+constexpr SectionText kSections[] = {{TreeSection::Objects, "Objects", add_object_items},
+                                     {TreeSection::Lights, "Lights", add_light_items},
+                                     {TreeSection::Cameras, "Cameras", nullptr},
+                                     {TreeSection::Materials, "Materials", add_material_items},
+                                     {TreeSection::Textures, "Textures", add_texture_items},
+                                     {TreeSection::Background, "Background", nullptr}};
+
+// A stretch of rows of the whole list: one heading and, where it is open, its things. The
+// background is a single row without a heading.
+struct Stretch {
+    const SectionText* text = nullptr;
+    bool has_heading = true;
+    bool is_open = true;
+    size_t first = 0;  // row of the heading, or of the first thing
+    size_t count = 0;  // of things that are shown
+    size_t end() const { return first + (has_heading ? 1 : 0) + (is_open ? count : 0); }
+};
+
+std::string fold_key(const SectionText& text) {
+    return fmt::format("tree {}", text.name);
 }
 
-const char* icon_of(const Object& o) {
-    switch (o.shape.index()) {
-        case 0: return ICON_FA_CIRCLE;
-        case 5: return ICON_FA_CUBE;
-        case 6: return ICON_FA_COMPACT_DISC;
-        case 7: return ICON_FA_PLAY;
-        default: return ICON_FA_SQUARE;
+std::vector<Stretch> stretches(PanelContext& c) {
+    std::vector<Stretch> all;
+    size_t at = 0;
+    const bool searches = !c.ui.tree.search.empty();
+    const std::vector<std::string>& folded = c.ui.preferences.folded;
+    for (const SectionText& text : kSections) {
+        Stretch s{&text, text.section != TreeSection::Background, true, at,
+                  c.ui.tree.rows.rows(text.section).size()};
+        if (searches && s.count == 0) continue;
+        s.is_open =
+            searches || std::find(folded.begin(), folded.end(), fold_key(text)) == folded.end();
+        at = s.end();
+        all.push_back(s);
     }
+    return all;
 }
 
-void draw_object_row(PanelContext& c, const Object& object) {
-    ImGui::PushID(static_cast<int>(object.id.value));
-    if (ImGui::SmallButton(object.visible ? ICON_FA_EYE : ICON_FA_EYE_SLASH))
-        c.document.edit(object.visible ? "Hide" : "Show", "", [id = object.id](Scene& s) {
-            if (Object* o = find_object(s, id)) o->visible = !o->visible;
-        });
-    ui::tooltip("Show or hide");
-    ImGui::SameLine();
-    const std::string text = fmt::format("{}  {}", icon_of(object), display_name(object));
-    if (!object.visible)
-        ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    if (ImGui::Selectable(text.c_str(), c.document.is_selected(object.id)))
-        c.document.select(object.id, ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift);
-    if (!object.visible) ImGui::PopStyleColor();
-    if (ImGui::BeginPopupContextItem()) {
-        if (!c.document.is_selected(object.id)) c.document.select(object.id);
-        const std::vector<ObjectId> ids = c.document.selection;
-        if (ImGui::MenuItem("Duplicate"))
-            c.document.edit("Duplicate", "", [&](Scene& s) { duplicate_objects(s, ids); });
-        if (ImGui::MenuItem("Delete"))
-            c.document.edit("Delete", "", [&](Scene& s) { delete_objects(s, ids); });
-        ImGui::EndPopup();
+void draw_heading(PanelContext& c, const Stretch& s, float height) {
+    const SectionText& text = *s.text;
+    ImGui::PushID(text.name);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, plus = ImGui::GetFrameHeight();
+    tree_row_ground(low, width, height, false);
+    if (tree_row_button("###section", width - plus, height)) {
+        std::vector<std::string>& folded = c.ui.preferences.folded;
+        const auto found = std::find(folded.begin(), folded.end(), fold_key(text));
+        if (found == folded.end())
+            folded.push_back(fold_key(text));
+        else
+            folded.erase(found);
     }
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float y = low.y + std::floor((height - ImGui::GetFontSize()) / 2);
+    const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+    draw->AddText({low.x, y}, dim, s.is_open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT);
+    draw->AddText({low.x + ImGui::GetFontSize() * 1.2f, y}, ImGui::GetColorU32(ImGuiCol_Text),
+                  text.name);
+    const size_t total = c.ui.tree.rows.total(text.section);
+    const std::string count =
+        s.count == total ? fmt::format("{}", total) : fmt::format("{} of {}", s.count, total);
+    draw->AddText({low.x + ImGui::GetFontSize() * 1.2f + ImGui::CalcTextSize(text.name).x + 8, y},
+                  dim, count.c_str());
+    if (text.add || text.section == TreeSection::Cameras) {
+        ImGui::SetCursorScreenPos({low.x + width - plus, low.y + std::floor((height - plus) / 2)});
+        if (ui::icon_button(ICON_FA_PLUS "##add", "Add")) {
+            if (text.add)
+                ImGui::OpenPopup("add");
+            else
+                add_camera(c);
+        }
+        if (text.add && ImGui::BeginPopup("add")) {
+            text.add(c);
+            ImGui::EndPopup();
+        }
+    }
+    ImGui::SetCursorScreenPos({low.x, low.y + height});
     ImGui::PopID();
 }
 
-// Only the rows in sight are drawn, so that a hundred thousand objects cost nothing.
-void draw_objects(PanelContext& c) {
-    const std::vector<Object>& objects = c.document.scene().objects;
-    std::vector<size_t> shown;
-    for (size_t i = 0; i < objects.size(); ++i)
-        if (matches(display_name(objects[i]), c.ui.tree.search)) shown.push_back(i);
-    const ScenePtr scene = c.document.snapshot();  // rows may edit the scene while it is walked
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(shown.size()));
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_object_row(c, scene->objects[shown[static_cast<size_t>(i)]]);
+// The row of what was selected elsewhere, to be scrolled to; `rows` if it needs no scrolling.
+size_t row_to_show(PanelContext& c, const std::vector<Stretch>& all, size_t rows) {
+    SceneTreeState& tree = c.ui.tree;
+    const std::vector<SceneItem> selected = c.document.selected_items();
+    const SceneItem active = selected.empty() ? SceneItem{} : selected.back();
+    if (active == tree.shown) return rows;
+    tree.shown = active;
+    for (const Stretch& s : all) {
+        const std::vector<SceneItem>& items = tree.rows.rows(s.text->section);
+        const auto found = std::find(items.begin(), items.end(), active);
+        if (found == items.end() || !s.is_open) continue;
+        return s.first + (s.has_heading ? 1 : 0) + static_cast<size_t>(found - items.begin());
+    }
+    return rows;
 }
 
-void draw_materials(PanelContext& c) {
+void draw_rows(PanelContext& c) {
+    // Rows may edit the scene while it is walked.
     const ScenePtr scene = c.document.snapshot();
-    for (const Material& m : scene->materials) {
-        const std::string name = display_name(m);
-        if (!matches(name, c.ui.tree.search)) continue;
-        ImGui::PushID(static_cast<int>(m.id.value));
-        const Double3& color =
-            m.kind == MaterialKind::DiffuseLight ? m.emission.color : m.color.color;
-        const ImVec4 swatch(static_cast<float>(std::sqrt(std::clamp(color.x, 0.0, 1.0))),
-                            static_cast<float>(std::sqrt(std::clamp(color.y, 0.0, 1.0))),
-                            static_cast<float>(std::sqrt(std::clamp(color.z, 0.0, 1.0))), 1);
-        ImGui::ColorButton("##swatch", swatch, ImGuiColorEditFlags_NoTooltip, ImVec2(14, 14));
-        ImGui::SameLine();
-        if (ImGui::Selectable(name.c_str(),
-                              c.document.selection.empty() && c.ui.tree.chosen_material == m.id)) {
-            c.document.selection.clear();
-            c.ui.tree.chosen_material = m.id;
-        }
-        ImGui::PopID();
+    const std::vector<Stretch> all = stretches(c);
+    if (all.empty()) {
+        ui::empty_state(ICON_FA_MAGNIFYING_GLASS, "Nothing has such a name.");
+        return;
     }
+    const size_t rows = all.back().end();
+    const float height = std::floor(ImGui::GetFontSize() * 1.5f);
+    const size_t wanted = row_to_show(c, all, rows);
+    const float view = ImGui::GetWindowHeight(), top = static_cast<float>(wanted) * height;
+    if (wanted < rows && (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + view))
+        ImGui::SetScrollY(std::max(0.0f, top - view / 3));
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows), height);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto row = static_cast<size_t>(i);
+            const auto s = std::find_if(all.begin(), all.end(), [row](const Stretch& stretch) {
+                return row < stretch.end();
+            });
+            if (s->has_heading && row == s->first)
+                draw_heading(c, *s, height);
+            else
+                draw_scene_row(c, *scene, s->text->section,
+                               row - s->first - (s->has_heading ? 1 : 0), height);
+        }
 }
 
 }  // namespace
 
 void draw_scene_tree(PanelContext& c) {
     if (ImGui::Begin("Scene")) {
+        SceneTreeState& tree = c.ui.tree;
         ImGui::SetNextItemWidth(-1);
-        ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search",
-                                 &c.ui.tree.search);
-        const Scene& scene = c.document.scene();
-        if (ui::section(fmt::format("Objects ({})###objects", scene.objects.size()).c_str()))
-            draw_objects(c);
-        for (const Generator& g : scene.generators)
-            ImGui::BulletText("%s: %d x %d spheres",
-                              g.name.empty() ? "sphere grid" : g.name.c_str(), g.grid.columns,
-                              g.grid.rows);
-        if (!c.document.scene().generators.empty() &&
-            ui::button("Make the generated objects editable"))
-            c.document.edit("Make editable", "", [](Scene& s) { realize_generators(s); });
-        if (ui::section(
-                fmt::format("Materials ({})###materials", c.document.scene().materials.size())
-                    .c_str()))
-            draw_materials(c);
+        ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search", &tree.search,
+                                 ImGuiInputTextFlags_EscapeClearsAll);
+        tree.rows.update(c.document.snapshot(), tree.search);
+        if (ImGui::BeginChild("tree")) {
+            ImGui::PushStyleVarY(ImGuiStyleVar_ItemSpacing, 0);
+            draw_rows(c);
+            // A click beside the rows selects nothing.
+            if (ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered() && ImGui::IsMouseClicked(0))
+                c.document.select_items({});
+            ImGui::PopStyleVar();
+        }
+        ImGui::EndChild();
     }
     ImGui::End();
 }

@@ -1,0 +1,121 @@
+#include "previews.h"
+
+#include "preview_scene.h"
+
+#include <teapath/core/log.h>
+#include <teapath/render/session.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace tp {
+namespace {
+
+constexpr size_t kMostWaiting = 64;  // what is asked for and no longer seen is asked again
+
+// The picture that the user looks at goes first.
+void lower_priority() {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), 10);
+}
+
+}  // namespace
+
+Previews::Previews() : thread_([this] { run(); }) {}
+
+Previews::~Previews() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void Previews::run() {
+    lower_priority();
+    SessionOptions options;
+    options.backend = BackendKind::Host;
+    options.threads = 1;
+    std::unique_ptr<Session> session;
+    for (;;) {
+        Job job;
+        {
+            std::unique_lock lock(mutex_);
+            wake_.wait(lock, [&] { return stopping_ || !jobs_.empty(); });
+            if (stopping_) return;
+            job = std::move(jobs_.front());
+            jobs_.pop_front();
+        }
+        Picture picture{job.key, {}};
+        try {
+            if (!session) session = std::make_unique<Session>(options);
+            session->sync(job.scene);
+            session->step(kSamples);
+            picture.rgb = session->display();
+        } catch (const std::exception& error) {
+            log_warning("no preview of a material: {}", error.what());
+            session.reset();
+        }
+        const std::lock_guard lock(mutex_);
+        finished_.push_back(std::move(picture));
+    }
+}
+
+uint64_t Previews::material(const Scene& scene, const Material& material) {
+    const uint64_t key = preview_key(scene, material);
+    const auto [found, is_new] = entries_.try_emplace(key);
+    Entry& entry = found->second;
+    entry.last_used = frame_;
+    if (entry.texture) return entry.texture->id();
+    if (!is_new) return 0;
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back({key, std::make_shared<const Scene>(preview_scene(scene, material, kSize))});
+    // While a value is dragged only the newest pictures count.
+    while (jobs_.size() > kMostWaiting) {
+        entries_.erase(jobs_.front().key);
+        jobs_.pop_front();
+    }
+    wake_.notify_one();
+    return 0;
+}
+
+uint64_t Previews::image(const std::shared_ptr<const Image>& image) {
+    if (!image) return 0;
+    Entry& entry = entries_[reinterpret_cast<uint64_t>(image.get())];
+    entry.last_used = frame_;
+    if (!entry.texture) {
+        entry.image = image;
+        entry.texture = std::make_unique<GlTexture>(kSize, kSize);
+        entry.texture->fill_rgb(image_thumbnail(*image, kSize).data());
+    }
+    return entry.texture->id();
+}
+
+void Previews::begin_frame() {
+    ++frame_;
+    std::vector<Picture> finished;
+    {
+        const std::lock_guard lock(mutex_);
+        finished.swap(finished_);
+    }
+    for (const Picture& picture : finished) {
+        const auto found = entries_.find(picture.key);
+        if (found == entries_.end() || picture.rgb.empty()) continue;
+        found->second.texture = std::make_unique<GlTexture>(kSize, kSize);
+        found->second.texture->fill_rgb(picture.rgb.data());
+        ++rendered_;
+    }
+    while (entries_.size() > kMost)
+        forget_oldest();
+}
+
+void Previews::forget_oldest() {
+    const auto oldest = std::min_element(
+        entries_.begin(), entries_.end(),
+        [](const auto& a, const auto& b) { return a.second.last_used < b.second.last_used; });
+    entries_.erase(oldest);
+}
+
+}  // namespace tp
