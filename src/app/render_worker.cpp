@@ -181,7 +181,9 @@ void RenderWorker::work(Session& session) {
                     has_request_ = true;
                 }
             } else if (idle() && !news()) {
+                status_.is_resting = true;
                 wake_.wait(lock, [&] { return news() || !idle(); });
+                status_.is_resting = false;
             }
             if (stopping_) return;
             if (has_request_) {

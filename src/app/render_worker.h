@@ -33,7 +33,8 @@ struct RenderStatus {
     uint64_t invalid_samples = 0;
     size_t hittables = 0, lights = 0;
     BvhStats bvh;
-    bool is_done = false;  // all samples wanted are there
+    bool is_done = false;     // all samples wanted are there
+    bool is_resting = false;  // nothing is being traced: paused or done
     bool is_preview = false;
 };
 

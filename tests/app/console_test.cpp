@@ -14,7 +14,7 @@ namespace {
 
 // What "Copy" puts onto the clipboard.
 std::string copied(ImGuiTestContext* ctx) {
-    ctx->ItemClick("//Console/Copy");
+    ctx->ItemClick("//Console/###copy");
     return ImGui::GetClipboardText();
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("console: the filter has words, words to leave out, and a comma for or
         CHECK_FALSE(has(either, "apple pie"));
         CHECK_FALSE(has(shown("apple,-tart"), "tart"));
         shown("");
-        ctx->ItemClick("//Console/Clear");
+        ctx->ItemClick("//Console/###clear");
         ctx->Yield();
         CHECK_FALSE(has(copied(ctx), "pie"));
         log_line(LogLevel::Info, "after clearing");

@@ -87,7 +87,9 @@ struct Exerciser {
         ctx->GatherItems(&items, window, -1);
         for (const ImGuiTestItemInfo& item : items) {
             if (ctx->IsError()) return;
-            if (is_disabled(item) || !ctx->ItemExists(item.ID) || ++seen[item.ID] > 2) continue;
+            if (item.ID == 0 || is_disabled(item) || !ctx->ItemExists(item.ID) ||
+                ++seen[item.ID] > 2)
+                continue;
             const std::string name = fmt::format("{}: {}", window, item.DebugLabel);
             if (is_number_or_text(item)) {
                 type_values(item, name);
@@ -118,7 +120,7 @@ struct Exerciser {
         for (const ImGuiTestItemInfo& choice : choices) {
             if (ctx->IsError() || !ctx->ItemExists(combo.ID)) break;
             ctx->ItemClick(combo.ID);
-            if (ctx->ItemExists(choice.ID)) ctx->ItemClick(choice.ID);
+            if (choice.ID != 0 && ctx->ItemExists(choice.ID)) ctx->ItemClick(choice.ID);
             ctx->PopupCloseAll();
             check(fmt::format("{}, {}", name, choice.DebugLabel));
         }

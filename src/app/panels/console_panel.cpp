@@ -218,10 +218,10 @@ void draw_console(PanelContext& c) {
         ImGui::SameLine(0, 4);
         const bool jumps = search_field(console, shown, space * 0.45f);
         ImGui::SameLine(0, 4);
-        if (ui::icon_button(ICON_FA_COPY "##copy", "Copies the lines that are shown"))
+        if (ui::icon_button(ICON_FA_COPY "###copy", "Copies the lines that are shown"))
             copy_lines(shown);
         ImGui::SameLine(0, 0);
-        if (ui::icon_button(ICON_FA_TRASH_CAN "##clear",
+        if (ui::icon_button(ICON_FA_TRASH_CAN "###clear",
                             "Clears the panel; the log file keeps its lines") &&
             !console.lines.empty())
             console.cleared = console.lines.back().serial;
