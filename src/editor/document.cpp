@@ -2,6 +2,7 @@
 #include <teapath/io/scene_file.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace tp {
 namespace {
@@ -64,7 +65,14 @@ Document::Document() {
 void Document::set_scene(Scene scene) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
     modified_ = *scene_ != *saved_;
-    std::erase_if(selection, [&](ObjectId id) { return !find(*scene_, id); });
+    if (selection.size() == 1 && !find(*scene_, selection[0])) selection.clear();
+    if (selection.size() > 1) {
+        std::unordered_set<uint32_t> alive;
+        for (const Object& o : scene_->objects)
+            alive.insert(o.id.value);
+        std::erase_if(selection, [&](ObjectId id) { return !alive.count(id.value); });
+    }
+    std::erase_if(other_selection_, [&](SceneItem item) { return !exists(*scene_, item); });
 }
 
 void Document::reset(Scene scene, std::filesystem::path file) {
@@ -76,6 +84,7 @@ void Document::reset(Scene scene, std::filesystem::path file) {
     modified_ = false;
     file_ = std::move(file);
     selection.clear();
+    other_selection_.clear();
 }
 
 void Document::edit(const std::string& label, const std::string& merge_key,
@@ -147,6 +156,46 @@ void Document::select(ObjectId id, bool add) {
         std::erase(selection, id);
     else
         selection.push_back(id);
+}
+
+std::vector<SceneItem> Document::selected_items() const {
+    if (selection.empty()) return other_selection_;
+    std::vector<SceneItem> items;
+    items.reserve(selection.size());
+    for (const ObjectId id : selection)
+        items.push_back(item_of(id));
+    return items;
+}
+
+bool Document::is_selected(SceneItem item) const {
+    if (item.kind == ItemKind::Object) return is_selected(ObjectId{item.id});
+    return selection.empty() && std::find(other_selection_.begin(), other_selection_.end(), item) !=
+                                    other_selection_.end();
+}
+
+void Document::select(SceneItem item, bool add) {
+    std::vector<SceneItem> items;
+    if (add) items = selected_items();
+    if (std::erase(items, item) == 0) items.push_back(item);
+    select_items(items);
+}
+
+void Document::select_items(const std::vector<SceneItem>& items) {
+    selection.clear();
+    other_selection_.clear();
+    for (const SceneItem item : items) {
+        if (item.kind != items.back().kind) continue;
+        if (item.kind == ItemKind::Object)
+            selection.push_back({item.id});
+        else
+            other_selection_.push_back(item);
+    }
+}
+
+size_t Document::history_saved() const {
+    for (size_t i = 0; i < steps_.size(); ++i)
+        if (steps_[i].scene == saved_) return i;
+    return steps_.size();
 }
 
 }  // namespace tp

@@ -1,39 +1,13 @@
-#include <teapath/editor/scene_edits.h>
+#include "scene_things.h"
 
-#include <fmt/format.h>
+#include <teapath/editor/scene_edits.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace tp {
 namespace {
-
-template <class T, class Id>
-T* find_in(std::vector<T>& things, Id id) {
-    const auto found =
-        std::find_if(things.begin(), things.end(), [id](const T& t) { return t.id == id; });
-    return id && found != things.end() ? &*found : nullptr;
-}
-
-template <class T>
-auto next_id(const std::vector<T>& things) {
-    decltype(T::id) id{0};
-    for (const T& t : things)
-        id.value = std::max(id.value, t.id.value);
-    ++id.value;
-    return id;
-}
-
-template <class T>
-std::string free_name(const std::vector<T>& things, const std::string& wish) {
-    const auto taken = [&](const std::string& name) {
-        return std::any_of(things.begin(), things.end(),
-                           [&](const T& t) { return t.name == name; });
-    };
-    if (!taken(wish)) return wish;
-    for (int n = 2;; ++n)
-        if (std::string name = fmt::format("{} {}", wish, n); !taken(name)) return name;
-}
 
 // The box of a shape in its own space.
 struct LocalBox {
@@ -97,36 +71,80 @@ ObjectId add_object(Scene& scene, const ShapeKind& kind, const Double3& place, d
 
 std::vector<ObjectId> duplicate_objects(Scene& scene, const std::vector<ObjectId>& ids) {
     std::vector<ObjectId> made;
-    for (const ObjectId id : ids) {
-        const Object* original = find(scene, id);
-        if (!original) continue;
-        Object copy = *original;
-        copy.id = next_id(scene.objects);
-        copy.name = free_name(scene.objects, display_name(*original));
-        copy.transform.translation.x += extent_of(*original).radius * 1.2;
+    // One pass finds them all, whatever their number.
+    const std::set<ObjectId> wanted(ids.begin(), ids.end());
+    ObjectId id = next_id(scene.objects);
+    const size_t count = scene.objects.size();
+    const bool names_anew = wanted.size() <= 100;  // a search for each would take long
+    for (size_t i = 0; i < count; ++i) {
+        if (!wanted.count(scene.objects[i].id)) continue;
+        Object copy = scene.objects[i];
+        copy.id = id;
+        if (names_anew && !copy.name.empty()) copy.name = free_name(scene.objects, copy.name);
+        copy.transform.translation.x += extent_of(copy).radius * 1.2;
         made.push_back(copy.id);
         scene.objects.push_back(std::move(copy));
+        ++id.value;
     }
     return made;
 }
 
 void delete_objects(Scene& scene, const std::vector<ObjectId>& ids) {
-    std::erase_if(scene.objects, [&](const Object& o) {
-        return std::find(ids.begin(), ids.end(), o.id) != ids.end();
-    });
+    const std::set<ObjectId> unwanted(ids.begin(), ids.end());
+    std::erase_if(scene.objects, [&](const Object& o) { return unwanted.count(o.id) > 0; });
 }
 
-MaterialId add_material(Scene& scene, MaterialKind kind, MaterialId like) {
-    Material material;
-    if (const Material* original = find(scene, like))
-        material = *original;
-    else
-        material.kind = kind;
-    if (!like && kind == MaterialKind::Dielectric) material.color.color = {1, 1, 1};
+MaterialId add_material(Scene& scene, const Material& like) {
+    Material material = like;
     material.id = next_id(scene.materials);
     material.name = free_name(scene.materials, material.name.empty() ? "material" : material.name);
     scene.materials.push_back(material);
     return material.id;
+}
+
+MaterialId add_material(Scene& scene, MaterialKind kind, MaterialId like) {
+    if (const Material* original = find(scene, like))
+        return add_material(scene, Material(*original));
+    return add_material(scene, new_material(kind));
+}
+
+Material new_material(MaterialKind kind) {
+    Material material;
+    material.kind = kind;
+    if (kind == MaterialKind::Dielectric) material.color.color = {1, 1, 1};
+    if (kind == MaterialKind::DiffuseLight) material.strength = 3;
+    return material;
+}
+
+CameraId add_camera(Scene& scene, const Camera& like) {
+    Camera camera = like;
+    camera.id = next_id(scene.cameras);
+    camera.name = free_name(scene.cameras, camera.name.empty() ? "camera" : camera.name);
+    scene.cameras.push_back(camera);
+    return camera.id;
+}
+
+GeneratorId add_sphere_grid(Scene& scene, const Double3& place) {
+    Generator generator;
+    generator.id = next_id(scene.generators);
+    generator.name = free_name(scene.generators, "sphere grid");
+    generator.grid.columns = generator.grid.rows = 6;
+    generator.grid.center = {place.x, place.z};
+    generator.grid.ground = place.y;
+    scene.generators.push_back(generator);
+    return generator.id;
+}
+
+void assign_material(Scene& scene, const std::vector<ObjectId>& ids, MaterialId material) {
+    const std::set<ObjectId> wanted(ids.begin(), ids.end());
+    for (Object& o : scene.objects)
+        if (wanted.count(o.id)) o.material = material;
+}
+
+void set_visible(Scene& scene, const std::vector<ObjectId>& ids, bool visible) {
+    const std::set<ObjectId> wanted(ids.begin(), ids.end());
+    for (Object& o : scene.objects)
+        if (wanted.count(o.id)) o.visible = visible;
 }
 
 TextureId add_texture(Scene& scene, TextureKind kind) {
@@ -155,6 +173,9 @@ Texture* find_texture(Scene& scene, TextureId id) {
 }
 Camera* find_camera(Scene& scene, CameraId id) {
     return find_in(scene.cameras, id);
+}
+Generator* find_generator(Scene& scene, GeneratorId id) {
+    return find_in(scene.generators, id);
 }
 
 std::string display_name(const Object& object) {

@@ -3,6 +3,7 @@
 // while flying, which is no step of the history).
 #pragma once
 
+#include <teapath/editor/scene_item.h>
 #include <teapath/scene/scene.h>
 
 #include <filesystem>
@@ -52,6 +53,8 @@ public:
     void go_to(size_t position);
     const std::vector<HistoryStep>& history() const { return steps_; }
     size_t history_position() const { return position_; }
+    /// The step that the file holds; history().size() if none does.
+    size_t history_saved() const;
 
     /// True if the scene differs from what the file holds.
     bool is_modified() const { return modified_; }
@@ -63,14 +66,23 @@ public:
     void save(const std::filesystem::path& file);
     void start_new();
 
+    // What tree, viewport and inspector show as selected: objects, or else things of one other
+    // kind.
     std::vector<ObjectId> selection;  // the last one is the active one
     bool is_selected(ObjectId id) const;
     void select(ObjectId id, bool add = false);
+    /// The selection of whatever kind; the last one is the active one.
+    std::vector<SceneItem> selected_items() const;
+    bool is_selected(SceneItem item) const;
+    void select(SceneItem item, bool add = false);
+    /// Selects these; all are of the kind of the last one, the others are left out.
+    void select_items(const std::vector<SceneItem>& items);
 
 private:
     void set_scene(Scene scene);
     void reset(Scene scene, std::filesystem::path file);
 
+    std::vector<SceneItem> other_selection_;  // counts where no object is selected
     ScenePtr scene_;
     ScenePtr saved_;
     std::vector<HistoryStep> steps_;

@@ -1,0 +1,91 @@
+#include <teapath/editor/refusal.h>
+#include <teapath/scene/validate.h>
+
+namespace tp {
+namespace {
+
+std::string first_fatal(const Scene& probe) {
+    for (const Problem& problem : validate(probe))
+        if (problem.fatal)
+            return problem.remedy.empty() ? problem.what : problem.what + "; " + problem.remedy;
+    return {};
+}
+
+void forget_texture(TexturedColor& color) {
+    color.texture = {};
+}
+
+}  // namespace
+
+std::string refusal(const std::vector<Object>& objects) {
+    Scene probe;
+    probe.objects = objects;
+    for (Object& o : probe.objects)
+        o.material = {};
+    return first_fatal(probe);
+}
+
+std::string refusal(const std::vector<Material>& materials) {
+    Scene probe;
+    probe.materials = materials;
+    for (Material& m : probe.materials) {
+        m.name.clear();
+        forget_texture(m.color);
+        forget_texture(m.emission);
+    }
+    return first_fatal(probe);
+}
+
+std::string refusal(const std::vector<Texture>& textures) {
+    Scene probe;
+    probe.textures = textures;
+    for (Texture& t : probe.textures) {
+        t.name.clear();
+        forget_texture(t.even);
+        forget_texture(t.odd);
+    }
+    return first_fatal(probe);
+}
+
+std::string refusal(const std::vector<Camera>& cameras) {
+    Scene probe;
+    probe.cameras = cameras;
+    for (Camera& c : probe.cameras)
+        c.name.clear();
+    return first_fatal(probe);
+}
+
+std::string refusal(const std::vector<Generator>& generators) {
+    Scene probe;
+    probe.generators = generators;
+    return first_fatal(probe);
+}
+
+std::string refusal(const std::vector<Background>& backgrounds) {
+    Scene probe;
+    for (const Background& background : backgrounds) {
+        probe.background = background;
+        if (std::string why = first_fatal(probe); !why.empty()) return why;
+    }
+    return {};
+}
+
+std::string refusal(const std::vector<RenderSettings>& settings) {
+    Scene probe;
+    for (const RenderSettings& render : settings) {
+        probe.render = render;
+        if (std::string why = first_fatal(probe); !why.empty()) return why;
+    }
+    return {};
+}
+
+std::string refusal(const std::vector<DisplaySettings>& settings) {
+    Scene probe;
+    for (const DisplaySettings& display : settings) {
+        probe.display = display;
+        if (std::string why = first_fatal(probe); !why.empty()) return why;
+    }
+    return {};
+}
+
+}  // namespace tp
