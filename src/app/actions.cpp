@@ -75,14 +75,25 @@ bool is_held(std::string_view id, const PanelContext& c) {
 
 void draw_menu_items(PanelContext& c, std::string_view menu) {
     for (const Action& a : actions()) {
-        if (a.menu != menu || !a.run) continue;
+        if (a.menu != menu || !(a.run || a.submenu)) continue;
         if (a.starts_group) ImGui::Separator();
+        if (a.submenu) {
+            if (ImGui::BeginMenu(a.label, is_enabled(a, c))) {
+                a.submenu(c);
+                ImGui::EndMenu();
+            }
+            continue;
+        }
         const std::string title = (a.title ? a.title(c) : a.label) + "###" + a.id;
         const std::string key = chord_name(c.ui.keys.chords(a.id)[0]);
         if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
                             is_enabled(a, c)))
             a.run(c);
-        if (a.help[0] != 0) ImGui::SetItemTooltip("%s", a.help);
+        const bool is_greyed = a.why_not && !is_enabled(a, c);
+        const std::string tip = is_greyed ? a.why_not(c) : a.help;
+        if (!tip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip |
+                                                 ImGuiHoveredFlags_AllowWhenDisabled))
+            ImGui::SetTooltip("%s", tip.c_str());
     }
 }
 

@@ -29,6 +29,8 @@ struct Action {
     bool (*is_checked)(const PanelContext&) = nullptr;    // null: no tick
     std::string (*title)(const PanelContext&) = nullptr;  // null: the label
     bool starts_group = false;                            // a line above it in the menu
+    std::string (*why_not)(const PanelContext&) = nullptr;  // while greyed: the reason, for its tip
+    void (*submenu)(PanelContext&) = nullptr;  // draws the items behind it; `run` is null then
 };
 
 /// All actions, in the order of the menus.

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "display_texture.h"
+#include "jobs/autosave.h"
+#include "jobs/export_job.h"
+#include "jobs/jobs.h"
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
@@ -15,6 +18,8 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -60,11 +65,38 @@ struct MetricsState {
     double upload_ms = 0;
 };
 
+struct FileDialog;
+
+/// A message that stays until it is closed.
+struct Message {
+    std::string title, text;
+};
+
+/// What waits for unsaved changes to be settled.
+struct PendingStep {
+    std::string verb;  // "closing the window", for the question
+    std::function<void(PanelContext&)> then;
+};
+
 struct DialogState {
     bool show_keys = false;
-    bool show_open = false, show_save_as = false, show_export = false;
-    std::string path_input;
-    std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
+    bool show_export = false;
+    bool show_save_layout = false;
+    std::shared_ptr<FileDialog> file;  // the question for a file that is open
+    PendingStep pending;               // then == null: no question
+    std::deque<Message> messages;
+    ExportSettings exports;
+    ScenePtr export_scene;                // what `exports` was last filled from
+    std::filesystem::path window_image;  // where the window's pixels of this frame go, if anywhere
+    std::string layout_name;
+    bool quits = false;  // all is settled: the program ends
+};
+
+struct LayoutState {
+    std::string built_in;                   // to be built in the next frame: "Edit", "Render" …
+    std::string places;                     // ImGui's, to be taken before the next frame
+    std::vector<std::string> saved;         // names, as of the last look
+    bool is_stale = true;                   // the folder is to be read again
 };
 
 struct UiState {
@@ -77,7 +109,10 @@ struct UiState {
     ConsoleState console;
     MetricsState metrics;
     DialogState dialogs;
+    LayoutState layout;
     std::deque<Toast> toasts;
+    Autosave autosave;
+    Jobs jobs;  // last: it goes first, and waits for its threads
 };
 
 struct PanelContext {

@@ -6,15 +6,28 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
+
+/// Where the window was, in screen coordinates; a width of 0: nowhere yet.
+struct WindowPlace {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool is_maximized = false;
+
+    friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
+};
 
 struct Preferences {
     bool dark_theme = true;
     float interface_scale = 0;                               // 0 = from the monitor; else 0.75 to 3
     bool seen_welcome = false;                               // the card of the first start
     int autosave_minutes = 2;                                // 0 = off, up to 60
+    bool native_dialogs = true;    // the desktop's own file dialogs, where it has some
+    WindowPlace window;            // at the last end
+    std::vector<std::string> closed_panels;      // by their titles
+    std::map<std::string, std::string> folders;  // the last one for each purpose: "scene", "image"
     std::vector<std::string> recent_files;                   // the newest first, at most kMaxRecent
     std::map<std::string, std::array<std::string, 2>> keys;  // see KeyMap::to_names
 
@@ -22,6 +35,8 @@ struct Preferences {
 
     /// Puts a file at the head of the recent ones.
     void remember_file(const std::filesystem::path& file);
+    bool is_panel_open(std::string_view title) const;
+    void set_panel_open(const std::string& title, bool open);
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

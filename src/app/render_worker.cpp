@@ -84,6 +84,12 @@ void RenderWorker::request_pick(double x, double y) {
     wake_.notify_all();
 }
 
+void RenderWorker::post(std::function<void(const Session&, const Scene&)> task) {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+    wake_.notify_all();
+}
+
 std::optional<RenderWorker::Pick> RenderWorker::take_pick() {
     const std::lock_guard lock(mutex_);
     return std::exchange(pick_, std::nullopt);
@@ -122,7 +128,12 @@ void RenderWorker::work(Session& session) {
             const auto idle = [&] {
                 return paused_ || !current_.scene || session.samples() >= target_;
             };
-            const auto news = [&] { return stopping_ || has_request_ || pick_request_; };
+            const auto has_tasks = [&] {
+                return !tasks_.empty() && divider_ == 1 && session.samples() > 0;
+            };
+            const auto news = [&] {
+                return stopping_ || has_request_ || pick_request_ || has_tasks();
+            };
             if (!news() && divider_ > 1) {
                 // Low resolution is for moving; it ends after a short rest.
                 const double left = kRestSeconds - seconds_since(last_change);
@@ -149,6 +160,7 @@ void RenderWorker::work(Session& session) {
         }
         answer_pick(session);
         if (!current_.scene) continue;
+        run_tasks(session);
 
         history.done = session.samples();
         history.target = target_;
@@ -199,6 +211,7 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     scene->render.width = std::max(1, request.width / divider);
     scene->render.height = std::max(1, request.height / divider);
     target_ = scene->render.samples;
+    rendered_ = scene;
     session.sync(std::move(scene));
     if (request.restart) session.restart();
     const std::lock_guard lock(mutex_);
@@ -220,6 +233,17 @@ void RenderWorker::answer_pick(Session& session) {
     const PickResult result = tp::pick(session.arrays(), request->x, request->y);
     const std::lock_guard lock(mutex_);
     pick_ = Pick{result.object, result.point};
+}
+
+void RenderWorker::run_tasks(Session& session) {
+    if (divider_ != 1 || session.samples() == 0) return;
+    std::vector<std::function<void(const Session&, const Scene&)>> tasks;
+    {
+        const std::lock_guard lock(mutex_);
+        tasks.swap(tasks_);
+    }
+    for (const auto& task : tasks)
+        task(session, *rendered_);
 }
 
 void RenderWorker::publish(Session& session, bool is_preview) {

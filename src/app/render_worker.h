@@ -9,6 +9,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -60,6 +61,10 @@ public:
     bool take_frame(uint64_t serial, DisplayFrame& frame);
     RenderStatus status() const;
 
+    /// Runs `task` on the renderer's thread between two steps, once a picture at full resolution is
+    /// there. `scene` has the picture's size.
+    void post(std::function<void(const Session& session, const Scene& scene)> task);
+
     /// Asks which object lies at (x, y) of [0, 1]^2 of the picture; the answer comes later.
     void request_pick(double x, double y);
     /// The answer, once. `distance` is along the ray.
@@ -80,6 +85,7 @@ private:
     void work(Session& session);
     bool apply(Session& session, const Request& request);
     void answer_pick(Session& session);
+    void run_tasks(Session& session);
     void publish(Session& session, bool is_preview);
     int preview_divider(const Request& request) const;
 
@@ -92,12 +98,14 @@ private:
     bool stopping_ = false;
     std::optional<Double2> pick_request_;
     std::optional<Pick> pick_;
+    std::vector<std::function<void(const Session&, const Scene&)>> tasks_;
     DisplayFrame frame_;
     RenderStatus status_;
     std::atomic<Session*> session_ = nullptr;
 
     // The thread's own.
     Request current_;
+    std::shared_ptr<const Scene> rendered_;  // the scene of the session
     double pixels_per_second_ = 2e6;
     int divider_ = 1;
     int64_t target_ = 0;
