@@ -40,11 +40,19 @@ Scene fresh_scene() {
     return scene;
 }
 
-// Puts the camera that is looked through in `from` into `to`, where `to` still has it.
-void keep_camera(const Scene& from, Scene& to) {
-    const Camera camera = active_camera(from);
-    for (Camera& c : to.cameras)
+// Puts a camera into a scene that still has it.
+void put_camera(const Camera& camera, Scene& scene) {
+    for (Camera& c : scene.cameras)
         if (c.id == camera.id) c = camera;
+}
+
+// The camera after the way from one step of the history to another.
+Camera camera_after(const std::vector<HistoryStep>& steps, size_t from, size_t to, Camera camera) {
+    for (size_t i = from; i > to; --i)
+        if (steps[i].is_jump) camera = steps[i].camera_before;
+    for (size_t i = from + 1; i <= to; ++i)
+        if (steps[i].is_jump) camera = active_camera(*steps[i].scene);
+    return camera;
 }
 
 }  // namespace
@@ -62,7 +70,7 @@ void Document::set_scene(Scene scene) {
 void Document::reset(Scene scene, std::filesystem::path file) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
     saved_ = scene_;
-    steps_ = {{"Open", "", scene_}};
+    steps_ = {{"Open", "", scene_, active_camera(*scene_), false}};
     position_ = 0;
     merging_ = false;
     modified_ = false;
@@ -75,14 +83,17 @@ void Document::edit(const std::string& label, const std::string& merge_key,
     Scene changed = *scene_;
     change(changed);
     if (changed == *scene_) return;
+    const Camera camera_before = active_camera(*scene_);
+    const bool is_jump = active_camera(changed) != camera_before;
     set_scene(std::move(changed));
     const bool merges =
         merging_ && !merge_key.empty() && position_ > 0 && steps_[position_].merge_key == merge_key;
     if (merges) {
         steps_[position_].scene = scene_;
+        steps_[position_].is_jump |= is_jump;
     } else {
         steps_.resize(position_ + 1);
-        steps_.push_back({label, merge_key, scene_});
+        steps_.push_back({label, merge_key, scene_, camera_before, is_jump});
         if (steps_.size() > kMaxSteps) steps_.erase(steps_.begin() + 1);
         position_ = steps_.size() - 1;
     }
@@ -91,8 +102,7 @@ void Document::edit(const std::string& label, const std::string& merge_key,
 
 void Document::fly(const Camera& camera) {
     Scene changed = *scene_;
-    for (Camera& c : changed.cameras)
-        if (c.id == camera.id) c = camera;
+    put_camera(camera, changed);
     scene_ = std::make_shared<const Scene>(std::move(changed));
     modified_ = true;
 }
@@ -100,7 +110,7 @@ void Document::fly(const Camera& camera) {
 void Document::go_to(size_t position) {
     if (position >= steps_.size() || position == position_) return;
     Scene scene = *steps_[position].scene;
-    keep_camera(*scene_, scene);
+    put_camera(camera_after(steps_, position_, position, active_camera(*scene_)), scene);
     set_scene(std::move(scene));
     position_ = position;
     merging_ = false;

@@ -20,6 +20,8 @@ struct HistoryStep {
     std::string label;      // "Move sphere"
     std::string merge_key;  // a drag's steps carry the same key and become one
     ScenePtr scene;
+    Camera camera_before;  // the active camera just before the step, wherever it had been flown
+    bool is_jump = false;  // the step changed the active camera
 };
 
 class Document {
@@ -45,7 +47,8 @@ public:
     bool can_redo() const { return position_ + 1 < steps_.size(); }
     void undo() { go_to(position_ - 1); }
     void redo() { go_to(position_ + 1); }
-    /// Goes to a step of the history; the camera stays where it has been flown to.
+    /// Goes to a step of the history. The camera stays where it has been flown to, unless the way
+    /// there passes a step that changed it: then it is where it was before or after that step.
     void go_to(size_t position);
     const std::vector<HistoryStep>& history() const { return steps_; }
     size_t history_position() const { return position_; }
