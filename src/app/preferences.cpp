@@ -59,10 +59,15 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "dark_theme", p.dark_theme);
     take(json, "interface_scale", p.interface_scale);
     take(json, "seen_welcome", p.seen_welcome);
+    take(json, "smooth_picture", p.smooth_picture);
+    take(json, "fly_speed", p.fly_speed);
+    take(json, "look_degrees", p.look_degrees);
     take(json, "autosave_minutes", p.autosave_minutes);
     take(json, "recent_files", p.recent_files);
     take(json, "keys", p.keys);
     p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
+    p.fly_speed = std::clamp(p.fly_speed, 0.1, 10.0);
+    p.look_degrees = std::clamp(p.look_degrees, 0.01, 1.0);
     p.autosave_minutes = std::clamp(p.autosave_minutes, 0, 60);
     if (p.recent_files.size() > Preferences::kMaxRecent)
         p.recent_files.resize(Preferences::kMaxRecent);
@@ -70,9 +75,15 @@ Preferences load_preferences(const std::filesystem::path& file) {
 }
 
 void save_preferences(const Preferences& p, const std::filesystem::path& file) {
-    const Json json = {{"dark_theme", p.dark_theme},     {"interface_scale", p.interface_scale},
-                       {"seen_welcome", p.seen_welcome}, {"autosave_minutes", p.autosave_minutes},
-                       {"recent_files", p.recent_files}, {"keys", p.keys}};
+    const Json json = {{"dark_theme", p.dark_theme},
+                       {"interface_scale", p.interface_scale},
+                       {"seen_welcome", p.seen_welcome},
+                       {"smooth_picture", p.smooth_picture},
+                       {"fly_speed", p.fly_speed},
+                       {"look_degrees", p.look_degrees},
+                       {"autosave_minutes", p.autosave_minutes},
+                       {"recent_files", p.recent_files},
+                       {"keys", p.keys}};
     std::filesystem::path part = file;
     part += ".part";
     std::error_code error;
