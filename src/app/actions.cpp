@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace tp {
@@ -11,7 +12,7 @@ namespace {
 std::vector<Action> make_table() {
     std::vector<Action> table;
     for (const auto& part : {file_actions(), edit_actions(), view_actions(), camera_actions(),
-                             render_actions(), help_actions()})
+                             viewport_actions(), render_actions(), help_actions()})
         table.insert(table.end(), part.begin(), part.end());
     return table;
 }
@@ -21,12 +22,40 @@ bool is_typed(int chord) {
     return (chord & (ImGuiMod_Ctrl | ImGuiMod_Alt)) == 0;
 }
 
+// A chord that means something in a text field: mark, copy, undo, go by words.
+bool edits_text(int chord) {
+    constexpr int kKeys[] = {ImGuiKey_A,          ImGuiKey_C,      ImGuiKey_V,
+                             ImGuiKey_X,          ImGuiKey_Y,      ImGuiKey_Z,
+                             ImGuiKey_Home,       ImGuiKey_End,    ImGuiKey_LeftArrow,
+                             ImGuiKey_RightArrow, ImGuiKey_Delete, ImGuiKey_Backspace};
+    return std::find(std::begin(kKeys), std::end(kKeys), chord & ~ImGuiMod_Mask_) !=
+           std::end(kKeys);
+}
+
 bool is_pressed(int chord, const PanelContext& c) {
     if (chord == 0) return false;
-    if (is_typed(chord) && ImGui::GetIO().WantTextInput) return false;
+    if (ImGui::GetIO().WantTextInput && (is_typed(chord) || edits_text(chord))) return false;
     // While the right button is held, keys fly.
     if (c.ui.viewport.is_looking && is_typed(chord) && c.ui.keys.flies(chord)) return false;
     return ImGui::IsKeyChordPressed(chord);
+}
+
+void draw_item(PanelContext& c, const Action& a) {
+    if (a.starts_group) ImGui::Separator();
+    if (a.more) {
+        a.more(c);
+        return;
+    }
+    const std::string title = (a.title ? a.title(c) : a.label) + "###" + a.id;
+    const std::string key = chord_label(c.ui.keys.chords(a.id)[0]);
+    if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
+                        is_enabled(a, c)))
+        a.run(c);
+    const bool is_greyed = a.why_not && !is_enabled(a, c);
+    const std::string tip = is_greyed ? a.why_not(c) : a.help;
+    if (!tip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip |
+                                             ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", tip.c_str());
 }
 
 }  // namespace
@@ -56,6 +85,8 @@ void run_shortcuts(PanelContext& c) {
     // A modal dialog has the keys for itself.
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
+    // The settings wait for a key.
+    if (!c.ui.dialogs.key_to_set.empty()) return;
     for (const Action& a : actions()) {
         if (!a.run || a.scope == ActionScope::Held) continue;
         if (a.scope == ActionScope::Viewport && !c.ui.viewport.has_focus) continue;
@@ -66,35 +97,39 @@ void run_shortcuts(PanelContext& c) {
     }
 }
 
-bool is_held(std::string_view id, const PanelContext& c) {
-    for (const int chord : c.ui.keys.chords(id))
-        if (chord != 0 && ImGui::IsKeyDown(static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_)))
-            return true;
-    return false;
+void draw_menu_items(PanelContext& c, std::string_view menu) {
+    const std::string below = std::string(menu) + '/';
+    std::string submenu;  // the one that is being drawn
+    bool is_open = false;
+    const auto end_submenu = [&] {
+        if (is_open) ImGui::EndMenu();
+        is_open = false;
+        submenu.clear();
+    };
+    for (const Action& a : actions()) {
+        if (!a.run && !a.more) continue;
+        const std::string_view where = a.menu;
+        const bool is_below = where.substr(0, below.size()) == below;
+        if (where != menu && !is_below) continue;
+        if (submenu != (is_below ? where.substr(below.size()) : "")) {
+            end_submenu();
+            if (is_below) {
+                submenu = where.substr(below.size());
+                is_open = ImGui::BeginMenu(submenu.c_str());
+            }
+        }
+        if (is_below && !is_open) continue;
+        draw_item(c, a);
+    }
+    end_submenu();
 }
 
-void draw_menu_items(PanelContext& c, std::string_view menu) {
-    for (const Action& a : actions()) {
-        if (a.menu != menu || !(a.run || a.submenu)) continue;
-        if (a.starts_group) ImGui::Separator();
-        if (a.submenu) {
-            if (ImGui::BeginMenu(a.label, is_enabled(a, c))) {
-                a.submenu(c);
-                ImGui::EndMenu();
-            }
-            continue;
-        }
-        const std::string title = (a.title ? a.title(c) : a.label) + "###" + a.id;
-        const std::string key = chord_name(c.ui.keys.chords(a.id)[0]);
-        if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
-                            is_enabled(a, c)))
-            a.run(c);
-        const bool is_greyed = a.why_not && !is_enabled(a, c);
-        const std::string tip = is_greyed ? a.why_not(c) : a.help;
-        if (!tip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip |
-                                                 ImGuiHoveredFlags_AllowWhenDisabled))
-            ImGui::SetTooltip("%s", tip.c_str());
-    }
+std::string group_of(const Action& action) {
+    if (action.scope == ActionScope::Held) return "Fly";
+    const std::string_view menu = action.menu;
+    const size_t slash = menu.rfind('/');
+    if (!menu.empty()) return std::string(slash == menu.npos ? menu : menu.substr(slash + 1));
+    return "Other";
 }
 
 }  // namespace tp

@@ -19,7 +19,7 @@ enum class ActionScope : uint8_t {
 
 struct Action {
     const char* id;    // "file.open": its name in the key settings and in tests
-    const char* menu;  // "File"; "" = in no menu
+    const char* menu;  // "File", or "View/Bookmarks" in a submenu; "" = in no menu
     const char* label;
     const char* help;      // one sentence for the tooltip and the table of keys
     int keys[2] = {0, 0};  // ImGuiKeyChord as shipped; 0 = none
@@ -30,7 +30,7 @@ struct Action {
     std::string (*title)(const PanelContext&) = nullptr;  // null: the label
     bool starts_group = false;                            // a line above it in the menu
     std::string (*why_not)(const PanelContext&) = nullptr;  // while greyed: the reason, for its tip
-    void (*submenu)(PanelContext&) = nullptr;  // draws the items behind it; `run` is null then
+    void (*more)(PanelContext&) = nullptr;  // draws items that are no actions; `run` is null then
 };
 
 /// All actions, in the order of the menus.
@@ -47,17 +47,21 @@ void run_action(std::string_view id, PanelContext& c);
 /// Runs what the keys pressed in this frame ask for. Called once a frame, after the panels.
 void run_shortcuts(PanelContext& c);
 
-/// True while the key of a Held action is down.
-bool is_held(std::string_view id, const PanelContext& c);
-
-/// The items of one menu.
+/// The items of one menu and, for actions of "View/Bookmarks", of its submenus.
 void draw_menu_items(PanelContext& c, std::string_view menu);
+
+/// The heading that the action has in lists of keys: its innermost menu, or "Fly".
+std::string group_of(const Action& action);
+
+/// The table of keys as a Markdown page, as shipped (docs/keys.md).
+std::string keys_page();
 
 // The parts of the table, one file each in actions/.
 std::vector<Action> file_actions();
 std::vector<Action> edit_actions();
 std::vector<Action> view_actions();
 std::vector<Action> camera_actions();
+std::vector<Action> viewport_actions();
 std::vector<Action> render_actions();
 std::vector<Action> help_actions();
 

@@ -9,6 +9,9 @@
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
+#include "viewport/gizmo_drag.h"
+#include "viewport/navigation.h"
+#include "viewport/picture_place.h"
 #include "window.h"
 
 #include <teapath/core/log.h>
@@ -20,12 +23,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace tp {
 
-enum class Tool { Select, Move, Rotate, Scale };
+enum class Tool { Select, Move, Rotate, Scale, Focus };
 
 /// A short notice at the viewport's corner.
 struct Toast {
@@ -35,14 +39,33 @@ struct Toast {
 };
 
 struct ViewportState {
-    int width = 640;  // pixels of the picture
+    int width = 640;  // pixels of the picture: of the panel, or of the scene file
     int height = 360;
     bool is_moving = false;   // a flight or drag is under way in this frame
     bool has_focus = false;   // keys of the viewport act
     bool is_looking = false;  // the right button is held
-    double fly_speed = 0;     // scene units a second; 0 = to be set from the scene
+    bool wants_focus = true;  // to be given the keyboard in the next frame
+
+    // Flying.
+    double fly_speed = 0;          // scene units a second; 0 = to be set from the scene
+    double speed_shown_until = 0;  // seconds of ImGui's clock
+    NavigationState navigation;
+    std::optional<Double2> click;  // where the left button went down, while it may become a click
+
+    // The picture in its panel.
+    bool fixed_size = false;  // the scene file's size instead of the panel's
+    PictureView view;
+    Double2 panel_size{640, 360};      // as drawn last, in the screen's units
+    Double2 picture_pixels{640, 360};  // of the picture at zoom 1, in the screen's units
+
+    // Tools.
     Tool tool = Tool::Select;
+    bool local_axes = false;  // of the active object instead of the world's
     bool snap = false;
+    float move_step = 0.1f;     // scene units
+    float rotate_step = 15.0f;  // degrees
+    float scale_step = 0.1f;    // of the size at the drag's beginning
+    GizmoDrag gizmo;
 };
 
 struct SceneTreeState {
@@ -80,6 +103,9 @@ struct PendingStep {
 
 struct DialogState {
     bool show_keys = false;
+    bool show_settings = false;
+    std::string key_to_set;  // id of the action that waits for its new key in the settings
+    int key_slot = 0;        // which of its two
     bool show_export = false;
     bool show_save_layout = false;
     std::shared_ptr<FileDialog> file;  // the question for a file that is open

@@ -10,60 +10,106 @@ namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180;
 constexpr double kPoleDegrees = 1;  // how near to straight up or down one may look
+constexpr double kLowestFov = 1, kHighestFov = 120;
 
 Double3 turned(const Double3& v, const Double3& axis, double degrees) {
     return Double3(glm::rotate(DoubleMat4(1), degrees * kRadians, axis) * Double4(v, 0));
+}
+
+// v as a unit vector, or `otherwise` where it has no direction.
+Double3 direction_of(const Double3& v, const Double3& otherwise) {
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? v / length : otherwise;
 }
 
 // Pitch that does not pass the poles.
 double limited_pitch(const Double3& view, const Double3& up, double pitch) {
     const double angle =
         std::acos(std::clamp(glm::dot(view, up), -1.0, 1.0)) / kRadians;  // from up
-    return std::clamp(pitch, angle - 180 + kPoleDegrees, angle - kPoleDegrees);
-}
-
-Double3 turned_view(const Double3& view, const Double3& up, double yaw, double pitch) {
-    const Double3 sideways = turned(view, up, -yaw);
-    const Double3 right = glm::normalize(glm::cross(sideways, up));
-    return turned(sideways, right, limited_pitch(sideways, up, pitch));
+    // Nearer to a pole than allowed, as a file may have it: only away from it.
+    const double low = std::min(0.0, angle - 180 + kPoleDegrees);
+    const double high = std::max(0.0, angle - kPoleDegrees);
+    return std::clamp(pitch, low, high);
 }
 
 }  // namespace
 
+CameraAxes axes_of(const Camera& camera) {
+    const Double3 up = direction_of(camera.up, {0, 1, 0});
+    const Double3 forward = direction_of(camera.look_at - camera.look_from, {0, 0, -1});
+    Double3 right = glm::cross(forward, up);
+    if (glm::length(right) < 1e-9)
+        right = glm::cross(forward, std::abs(up.x) < 0.9 ? Double3(1, 0, 0) : Double3(0, 0, 1));
+    right = glm::normalize(right);
+    return {right, glm::cross(right, forward), forward};
+}
+
 Camera fly(const Camera& camera, const FlyInput& input) {
     Camera moved = camera;
-    const Double3 up = glm::normalize(camera.up);
-    const double distance = glm::distance(camera.look_from, camera.look_at);
-    Double3 view = (camera.look_at - camera.look_from) / distance;
-    if (input.yaw != 0 || input.pitch != 0) view = turned_view(view, up, input.yaw, input.pitch);
-    const Double3 right = glm::normalize(glm::cross(view, up));
-    Double3 direction = right * input.right + up * input.up + view * input.forward;
+    const Double3 up = direction_of(camera.up, {0, 1, 0});
+    const double distance = std::max(1e-6, glm::distance(camera.look_from, camera.look_at));
+    CameraAxes axes = axes_of(camera);
+    if (input.yaw != 0 || input.pitch != 0) {
+        axes.right = turned(axes.right, up, -input.yaw);
+        const Double3 sideways = turned(axes.forward, up, -input.yaw);
+        axes.forward = turned(sideways, axes.right, limited_pitch(sideways, up, input.pitch));
+    }
+    Double3 direction = axes.right * input.right + up * input.up + axes.forward * input.forward;
     const double length = glm::length(direction);
     if (length > 1) direction /= length;
+    if (length == 0 && input.yaw == 0 && input.pitch == 0) return camera;
     moved.look_from += direction * (input.speed * input.seconds);
-    moved.look_at = moved.look_from + view * distance;
+    moved.look_at = moved.look_from + axes.forward * distance;
     return moved;
 }
 
 Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitch) {
+    if (yaw == 0 && pitch == 0) return camera;
     Camera moved = camera;
-    const Double3 up = glm::normalize(camera.up);
-    const Double3 view = glm::normalize(camera.look_at - camera.look_from);
-    const double limited = limited_pitch(view, up, pitch);
-    const Double3 right = glm::normalize(glm::cross(view, up));
-    const auto turn = [&](const Double3& v) { return turned(turned(v, right, limited), up, -yaw); };
+    const Double3 up = direction_of(camera.up, {0, 1, 0});
+    const CameraAxes axes = axes_of(camera);
+    const double limited = limited_pitch(axes.forward, up, pitch);
+    const auto turn = [&](const Double3& v) {
+        return turned(turned(v, axes.right, limited), up, -yaw);
+    };
     moved.look_from = pivot + turn(camera.look_from - pivot);
     moved.look_at = moved.look_from + turn(camera.look_at - camera.look_from);
     return moved;
 }
 
-Camera frame(const Camera& camera, const Double3& center, double radius) {
+Camera pan(const Camera& camera, const Double2& pixels, double height, double depth) {
+    const CameraAxes axes = axes_of(camera);
+    const double unit = 2 * depth * std::tan(camera.vertical_fov * kRadians / 2) / height;
+    const Double3 shift = (axes.up * pixels.y - axes.right * pixels.x) * unit;
     Camera moved = camera;
-    const Double3 view = glm::normalize(camera.look_at - camera.look_from);
-    const double distance = 1.2 * radius / std::sin(camera.vertical_fov * kRadians / 2);
-    moved.look_at = center;
-    moved.look_from = center - view * distance;
+    moved.look_from += shift;
+    moved.look_at += shift;
     return moved;
+}
+
+Camera widened(const Camera& camera, double degrees) {
+    Camera moved = camera;
+    const double fov = camera.vertical_fov;
+    moved.vertical_fov =
+        std::clamp(fov + degrees, std::min(fov, kLowestFov), std::max(fov, kHighestFov));
+    return moved;
+}
+
+Camera frame(const Camera& camera, const Double3& center, double radius, double aspect) {
+    Camera moved = camera;
+    const double half = std::tan(camera.vertical_fov * kRadians / 2) * std::min(1.0, aspect);
+    const double distance = 1.2 * radius / std::sin(std::atan(half));
+    moved.look_at = center;
+    moved.look_from = center - axes_of(camera).forward * distance;
+    return moved;
+}
+
+ViewRay view_ray(const Camera& camera, double aspect, double x, double y) {
+    const CameraAxes axes = axes_of(camera);
+    const double half = std::tan(camera.vertical_fov * kRadians / 2);
+    return {camera.look_from,
+            glm::normalize(axes.forward + axes.right * ((2 * x - 1) * half * aspect) +
+                           axes.up * ((1 - 2 * y) * half))};
 }
 
 }  // namespace tp

@@ -1,4 +1,5 @@
-// Moving a camera of the document as one flies: pure functions of the camera, keys and time.
+// Moving a camera of the document as one flies: pure functions of the camera, keys and time. None
+// of them makes a camera that looks nowhere, whatever it is given.
 #pragma once
 
 #include <teapath/scene/camera.h>
@@ -12,6 +13,12 @@ struct FlyInput {
     double seconds = 0;                     // since the last frame
 };
 
+/// Unit vectors of what the camera sees: right x up points backwards.
+struct CameraAxes {
+    Double3 right, up, forward;
+};
+CameraAxes axes_of(const Camera& camera);
+
 /// The camera after the input: it turns about itself and moves along its own axes (up: the
 /// world's), and looks as far as before.
 Camera fly(const Camera& camera, const FlyInput& input);
@@ -19,7 +26,22 @@ Camera fly(const Camera& camera, const FlyInput& input);
 /// The camera turned about `pivot` by degrees, as orbiting does.
 Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitch);
 
-/// The camera moved so that a sphere fills the view, from where it looks now.
-Camera frame(const Camera& camera, const Double3& center, double radius);
+/// The camera moved sideways so that a point at distance `depth` along the view axis follows a
+/// pointer that moved by `pixels` (to the right and down) on a picture `height` pixels high.
+Camera pan(const Camera& camera, const Double2& pixels, double height, double depth);
+
+/// The field of view changed by degrees, within 1 to 120; a value outside is not pushed further.
+Camera widened(const Camera& camera, double degrees);
+
+/// The camera moved so that a sphere fills a view of this width over height, from where it looks
+/// now.
+Camera frame(const Camera& camera, const Double3& center, double radius, double aspect = 1);
+
+/// The ray through (x, y) of [0, 1]^2 of the picture, (0, 0) at its top left: it starts at the
+/// middle of the lens; `direction` is a unit vector.
+struct ViewRay {
+    Double3 origin, direction;
+};
+ViewRay view_ray(const Camera& camera, double aspect, double x, double y);
 
 }  // namespace tp

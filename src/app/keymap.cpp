@@ -17,6 +17,9 @@ constexpr std::pair<const char*, int> kModifiers[] = {{"Ctrl+", ImGuiMod_Ctrl},
                                                       {"Alt+", ImGuiMod_Alt},
                                                       {"Super+", ImGuiMod_Super}};
 
+constexpr std::pair<const char*, const char*> kShortNames[] = {
+    {" Arrow", ""}, {"Equal", "="}, {"Minus", "-"}, {"Escape", "Esc"}};
+
 int key_of(int chord) {
     return chord & ~ImGuiMod_Mask_;
 }
@@ -84,6 +87,21 @@ std::string chord_name(int chord) {
     for (const auto& [text, bit] : kModifiers)
         if (chord & bit) name += text;
     return key_of(chord) ? name + ImGui::GetKeyName(static_cast<ImGuiKey>(key_of(chord))) : name;
+}
+
+std::string chord_label(int chord) {
+    // ImGui writes the names of keys as one word: a space goes before each capital and number.
+    std::string label;
+    for (const char letter : chord_name(chord)) {
+        const bool is_capital = letter >= 'A' && letter <= 'Z';
+        if (is_capital && !label.empty() && label.back() >= 'a' && label.back() <= 'z')
+            label += ' ';
+        label += letter;
+    }
+    for (const auto& [from, to] : kShortNames)
+        if (const size_t at = label.find(from); at != label.npos)
+            label.replace(at, std::string_view(from).size(), to);
+    return label;
 }
 
 int chord_from_name(std::string_view name) {

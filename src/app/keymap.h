@@ -37,6 +37,8 @@ private:
 
 /// "Ctrl+Shift+Z"; "" for none.
 std::string chord_name(int chord);
+/// The same for people: "Left Ctrl", "Page Up".
+std::string chord_label(int chord);
 /// The chord of such a name; 0 if it names none.
 int chord_from_name(std::string_view name);
 

@@ -70,6 +70,9 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "dark_theme", p.dark_theme);
     take(json, "interface_scale", p.interface_scale);
     take(json, "seen_welcome", p.seen_welcome);
+    take(json, "smooth_picture", p.smooth_picture);
+    take(json, "fly_speed", p.fly_speed);
+    take(json, "look_degrees", p.look_degrees);
     take(json, "autosave_minutes", p.autosave_minutes);
     take(json, "native_dialogs", p.native_dialogs);
     take(json, "closed_panels", p.closed_panels);
@@ -81,6 +84,8 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "recent_files", p.recent_files);
     take(json, "keys", p.keys);
     p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
+    p.fly_speed = std::clamp(p.fly_speed, 0.1, 10.0);
+    p.look_degrees = std::clamp(p.look_degrees, 0.01, 1.0);
     p.autosave_minutes = std::clamp(p.autosave_minutes, 0, 60);
     if (p.recent_files.size() > Preferences::kMaxRecent)
         p.recent_files.resize(Preferences::kMaxRecent);
@@ -93,6 +98,9 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
     const Json json = {{"dark_theme", p.dark_theme},
                        {"interface_scale", p.interface_scale},
                        {"seen_welcome", p.seen_welcome},
+                       {"smooth_picture", p.smooth_picture},
+                       {"fly_speed", p.fly_speed},
+                       {"look_degrees", p.look_degrees},
                        {"autosave_minutes", p.autosave_minutes},
                        {"native_dialogs", p.native_dialogs},
                        {"window", window},

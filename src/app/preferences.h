@@ -21,9 +21,12 @@ struct WindowPlace {
 
 struct Preferences {
     bool dark_theme = true;
-    float interface_scale = 0;                               // 0 = from the monitor; else 0.75 to 3
-    bool seen_welcome = false;                               // the card of the first start
-    int autosave_minutes = 2;                                // 0 = off, up to 60
+    float interface_scale = 0;   // 0 = from the monitor; else 0.75 to 3
+    bool seen_welcome = false;   // the card of the first start
+    bool smooth_picture = true;  // a picture that is not shown pixel by pixel is interpolated
+    double fly_speed = 1;        // times the natural speed of the scene, 0.1 to 10
+    double look_degrees = 0.1;   // that a pixel of the mouse turns the camera, 0.01 to 1
+    int autosave_minutes = 2;    // 0 = off, up to 60
     bool native_dialogs = true;    // the desktop's own file dialogs, where it has some
     WindowPlace window;            // at the last end
     std::vector<std::string> closed_panels;      // by their titles

@@ -78,10 +78,19 @@ RenderStatus RenderWorker::status() const {
     return status_;
 }
 
-void RenderWorker::request_pick(double x, double y) {
-    const std::lock_guard lock(mutex_);
-    pick_request_ = Double2(x, y);
-    wake_.notify_all();
+void RenderWorker::request_pick(const PickQuery& query) {
+    {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(pick_queries_,
+                      [&](const PickQuery& q) { return q.purpose == query.purpose; });
+        picks_.erase(query.purpose);
+        pick_queries_.push_back(query);
+    }
+    // Tracing a ray is a matter of microseconds; the thread answers where the arrays are not free.
+    if (const std::unique_lock arrays(arrays_mutex_, std::try_to_lock); arrays && arrays_)
+        answer_picks();
+    else
+        wake_.notify_all();
 }
 
 void RenderWorker::post(std::function<void(const Session&, const Scene&)> task) {
@@ -90,9 +99,22 @@ void RenderWorker::post(std::function<void(const Session&, const Scene&)> task) 
     wake_.notify_all();
 }
 
-std::optional<RenderWorker::Pick> RenderWorker::take_pick() {
+std::optional<RenderWorker::Pick> RenderWorker::take_pick(int purpose) {
     const std::lock_guard lock(mutex_);
-    return std::exchange(pick_, std::nullopt);
+    const auto found = picks_.find(purpose);
+    if (found == picks_.end()) return std::nullopt;
+    const Pick pick = found->second;
+    picks_.erase(found);
+    return pick;
+}
+
+// With arrays_mutex_ held.
+void RenderWorker::answer_picks() {
+    const std::lock_guard lock(mutex_);
+    for (const PickQuery& query : std::exchange(pick_queries_, {})) {
+        const PickResult result = tp::pick(*arrays_, query.origin, query.direction, query.t_max);
+        picks_[query.purpose] = {result.object, result.point};
+    }
 }
 
 void RenderWorker::run(SessionOptions options) {
@@ -117,6 +139,14 @@ void RenderWorker::run(SessionOptions options) {
 }
 
 void RenderWorker::work(Session& session) {
+    // However this ends, nobody reads the arrays of a session that is gone.
+    const struct Forget {
+        RenderWorker& worker;
+        ~Forget() {
+            const std::lock_guard arrays(worker.arrays_mutex_);
+            worker.arrays_ = nullptr;
+        }
+    } forget{*this};
     auto last_change = Clock::now();
     StepHistory history;
     for (;;) {
@@ -132,7 +162,8 @@ void RenderWorker::work(Session& session) {
                 return !tasks_.empty() && divider_ == 1 && session.samples() > 0;
             };
             const auto news = [&] {
-                return stopping_ || has_request_ || pick_request_ || has_tasks();
+                return stopping_ || has_request_ || has_tasks() ||
+                       (current_.scene && !pick_queries_.empty());
             };
             if (!news() && divider_ > 1) {
                 // Low resolution is for moving; it ends after a short rest.
@@ -158,8 +189,11 @@ void RenderWorker::work(Session& session) {
             if (request.is_moving) last_change = Clock::now();
             history = {};
         }
-        answer_pick(session);
         if (!current_.scene) continue;
+        {
+            const std::lock_guard arrays(arrays_mutex_);
+            answer_picks();
+        }
         run_tasks(session);
 
         history.done = session.samples();
@@ -176,8 +210,10 @@ void RenderWorker::work(Session& session) {
             continue;
         }
         const auto start = Clock::now();
+        if (history.done == 0) film_seconds_ = 0;
         if (!session.step(samples)) continue;
         const double seconds = seconds_since(start);
+        film_seconds_ += seconds;
         history.last_samples = samples;
         history.last_seconds = seconds;
         const double traced =
@@ -187,6 +223,7 @@ void RenderWorker::work(Session& session) {
             const std::lock_guard lock(mutex_);
             status_.step_ms = seconds * 1e3;
             status_.samples_per_second = pixels_per_second_;
+            status_.seconds = film_seconds_;
         }
         publish(session, divider_ > 1);
     }
@@ -212,7 +249,12 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     scene->render.height = std::max(1, request.height / divider);
     target_ = scene->render.samples;
     rendered_ = scene;
-    session.sync(std::move(scene));
+    {
+        const std::lock_guard arrays(arrays_mutex_);
+        arrays_ = nullptr;
+        session.sync(std::move(scene));
+        arrays_ = &session.arrays();
+    }
     if (request.restart) session.restart();
     const std::lock_guard lock(mutex_);
     status_.error.clear();
@@ -221,18 +263,6 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     status_.lights = session.arrays().lights.size();
     status_.bvh = session.arrays().bvh;
     return true;
-}
-
-void RenderWorker::answer_pick(Session& session) {
-    std::optional<Double2> request;
-    {
-        const std::lock_guard lock(mutex_);
-        request = std::exchange(pick_request_, std::nullopt);
-    }
-    if (!request || !current_.scene) return;
-    const PickResult result = tp::pick(session.arrays(), request->x, request->y);
-    const std::lock_guard lock(mutex_);
-    pick_ = Pick{result.object, result.point};
 }
 
 void RenderWorker::run_tasks(Session& session) {

@@ -10,6 +10,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -36,6 +37,7 @@ struct RenderStatus {
     double step_ms = 0;             // tracing
     double display_ms = 0;          // tone curve and copy
     double sync_ms = 0;             // of the last change of the scene
+    double seconds = 0;             // of tracing in the picture so far
     size_t memory_bytes = 0;
     uint64_t invalid_samples = 0;
     size_t hittables = 0, lights = 0;
@@ -65,14 +67,22 @@ public:
     /// there. `scene` has the picture's size.
     void post(std::function<void(const Session& session, const Scene& scene)> task);
 
-    /// Asks which object lies at (x, y) of [0, 1]^2 of the picture; the answer comes later.
-    void request_pick(double x, double y);
-    /// The answer, once. `distance` is along the ray.
+    /// Asks what lies first along a ray; the answer is there at once unless the scene is being
+    /// taken in just then, and comes after that otherwise. A new question replaces an old one of
+    /// the same purpose.
+    struct PickQuery {
+        int purpose = 0;  // the asker's, given back with the answer
+        Double3 origin{0, 0, 0};
+        Double3 direction{0, 0, -1};  // a unit vector
+        double t_max = 1e30;
+    };
+    void request_pick(const PickQuery& query);
+    /// An answer to a question of that purpose, once.
     struct Pick {
-        ObjectId object;
+        ObjectId object;  // none: the background
         Double3 point{0, 0, 0};
     };
-    std::optional<Pick> take_pick();
+    std::optional<Pick> take_pick(int purpose);
 
 private:
     struct Request {
@@ -84,7 +94,7 @@ private:
     void run(SessionOptions options);
     void work(Session& session);
     bool apply(Session& session, const Request& request);
-    void answer_pick(Session& session);
+    void answer_picks();
     void run_tasks(Session& session);
     void publish(Session& session, bool is_preview);
     int preview_divider(const Request& request) const;
@@ -96,8 +106,10 @@ private:
     bool has_request_ = false;
     bool paused_ = false;
     bool stopping_ = false;
-    std::optional<Double2> pick_request_;
-    std::optional<Pick> pick_;
+    std::vector<PickQuery> pick_queries_;
+    std::map<int, Pick> picks_;            // by purpose
+    std::mutex arrays_mutex_;              // the session's arrays change, or are read
+    const SceneArrays* arrays_ = nullptr;  // once a scene is there
     std::vector<std::function<void(const Session&, const Scene&)>> tasks_;
     DisplayFrame frame_;
     RenderStatus status_;
@@ -109,6 +121,7 @@ private:
     double pixels_per_second_ = 2e6;
     int divider_ = 1;
     int64_t target_ = 0;
+    double film_seconds_ = 0;
     std::thread thread_;
 };
 

@@ -1,20 +1,22 @@
 #include <teapath/device/pick.h>
-#include <teapath/kernel/camera_ray.h>
-#include <teapath/kernel/traverse.h>
+#include <teapath/kernel/path_steps.h>
 
 namespace tp {
 
-PickResult pick(const SceneArrays& arrays, double x, double y) {
+PickResult pick(const SceneArrays& arrays, const Double3& origin, const Double3& direction,
+                double t_max) {
     SceneView view;
     view.hittables = make_span(arrays.hittables);
     view.nodes = make_span(arrays.nodes);
-    CameraRecord camera = arrays.camera;
-    camera.lens_radius = 0;
-    const CameraRay ray =
-        camera_ray(camera, {static_cast<Real>(x), static_cast<Real>(y)}, 1, 1, {0, 0});
-    const Hit hit = intersect_scene<kFeatureAll>(view, ray.origin, ray.direction, ray.t_max);
+    view.bounds = arrays.bounds;
+    PathState path;
+    path.origin = Vec3(origin);
+    path.direction = Vec3(direction);
+    path.t_max = static_cast<Real>(t_max);
+    skip_to_scene(view, path);
+    const Hit hit = intersect_scene<kFeatureAll>(view, path.origin, path.direction, path.t_max);
     if (hit.index == kNoHit) return {};
-    return {{arrays.hittables[hit.index].object}, Double3(ray.origin + ray.direction * hit.t)};
+    return {{arrays.hittables[hit.index].object}, Double3(path.origin + path.direction * hit.t)};
 }
 
 }  // namespace tp

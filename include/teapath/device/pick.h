@@ -1,4 +1,4 @@
-// Which object a pixel shows, traced on the host with the arrays of a render.
+// What a ray meets first, traced on the host with the arrays of a render.
 #pragma once
 
 #include <teapath/device/scene_arrays.h>
@@ -10,8 +10,8 @@ struct PickResult {
     Double3 point{0, 0, 0};  // where the ray met it
 };
 
-/// What lies at (x, y) of [0, 1]^2 of the picture, (0, 0) at its top left, through the middle of
-/// the lens.
-PickResult pick(const SceneArrays& arrays, double x, double y);
+/// What lies first along the ray; `direction` is a unit vector.
+PickResult pick(const SceneArrays& arrays, const Double3& origin, const Double3& direction,
+                double t_max);
 
 }  // namespace tp

@@ -1,29 +1,36 @@
-// The keys of flying, and the jumps of the camera.
+// The keys of flying, the jumps of the camera, and its bookmarks.
 #include "../actions.h"
 #include "../fly_camera.h"
+#include "../viewport/bookmarks.h"
+#include "../viewport/scene_extent.h"
 
 #include <teapath/editor/scene_edits.h>
 
+#include <fmt/format.h>
 #include <imgui.h>
+
+#include <array>
+#include <utility>
 
 namespace tp {
 namespace {
 
-void frame_objects(PanelContext& c, bool all) {
-    Double3 low(1e30), high(-1e30);
-    for (const Object& o : c.document.scene().objects) {
-        if (!all && !c.document.is_selected(o.id)) continue;
-        const Extent e = extent_of(o);
-        if (all && e.radius > 50) continue;  // the ground would hide the rest
-        low = glm::min(low, e.center - e.radius);
-        high = glm::max(high, e.center + e.radius);
-    }
-    if (low.x > high.x) return;
-    const Camera camera =
-        frame(active_camera(c.document.scene()), (low + high) * 0.5, glm::distance(low, high) / 2);
+void frame_extent(PanelContext& c, const std::optional<Extent>& extent) {
+    if (!extent) return;
+    const ViewportState& v = c.ui.viewport;
+    const Camera camera = frame(active_camera(c.document.scene()), extent->center, extent->radius,
+                                static_cast<double>(v.width) / v.height);
     c.document.edit("Frame", "", [&](Scene& s) {
         if (Camera* target = find_camera(s, camera.id)) *target = camera;
     });
+}
+
+void frame_selection(PanelContext& c) {
+    frame_extent(c, extent_of(selected_objects(c.document.scene(), c.document.selection)));
+}
+
+void frame_all(PanelContext& c) {
+    frame_extent(c, extent_of_all(c.document.scene()));
 }
 
 void reset_camera(PanelContext& c) {
@@ -42,10 +49,52 @@ Action held(const char* id, const char* label, int key, int other = 0) {
             .scope = ActionScope::Held};
 }
 
+template <int kNumber>
+void set_bookmark_number(PanelContext& c) {
+    c.document.edit(fmt::format("Set bookmark {}", kNumber), "",
+                    [](Scene& s) { set_bookmark(s, kNumber); });
+    c.toast(fmt::format("Bookmark {} set", kNumber));
+}
+
+template <int kNumber>
+void go_to_bookmark_number(PanelContext& c) {
+    c.document.edit(fmt::format("Go to bookmark {}", kNumber), "",
+                    [](Scene& s) { go_to_bookmark(s, kNumber); });
+}
+
+// "camera.bookmark_1" and "camera.set_bookmark_1" up to 9.
+template <int kNumber>
+void add_bookmark(std::vector<Action>& table) {
+    static const std::array<std::string, 4> text = {
+        fmt::format("camera.bookmark_{}", kNumber), fmt::format("Go to bookmark {}", kNumber),
+        fmt::format("camera.set_bookmark_{}", kNumber), fmt::format("Set bookmark {}", kNumber)};
+    table.push_back({.id = text[0].c_str(),
+                     .menu = "View/Bookmarks",
+                     .label = text[1].c_str(),
+                     .help = "Looks from where the bookmark was set",
+                     .keys = {ImGuiKey_0 + kNumber},
+                     .scope = ActionScope::Viewport,
+                     .run = go_to_bookmark_number<kNumber>,
+                     .is_enabled = [](const PanelContext& c) {
+                         return find_bookmark(c.document.scene(), kNumber) != nullptr;
+                     }});
+    table.push_back({.id = text[2].c_str(),
+                     .menu = "View/Bookmarks",
+                     .label = text[3].c_str(),
+                     .help = "Keeps this view in the scene, as a camera of that name",
+                     .keys = {ImGuiMod_Ctrl | (ImGuiKey_0 + kNumber)},
+                     .run = set_bookmark_number<kNumber>});
+}
+
+template <int... kNumbers>
+void add_bookmarks(std::vector<Action>& table, std::integer_sequence<int, kNumbers...>) {
+    (add_bookmark<kNumbers + 1>(table), ...);
+}
+
 }  // namespace
 
 std::vector<Action> camera_actions() {
-    return {
+    std::vector<Action> table = {
         held("fly.forward", "Fly forward", ImGuiKey_W),
         held("fly.back", "Fly back", ImGuiKey_S),
         held("fly.left", "Fly left", ImGuiKey_A),
@@ -59,7 +108,7 @@ std::vector<Action> camera_actions() {
          .help = "Moves the camera so that the selected objects fill the view",
          .keys = {ImGuiKey_F},
          .scope = ActionScope::Viewport,
-         .run = [](PanelContext& c) { frame_objects(c, false); },
+         .run = frame_selection,
          .is_enabled = [](const PanelContext& c) { return !c.document.selection.empty(); },
          .starts_group = true},
         {.id = "camera.frame_all",
@@ -68,15 +117,17 @@ std::vector<Action> camera_actions() {
          .help = "Moves the camera so that everything but the ground fills the view",
          .keys = {ImGuiKey_Home},
          .scope = ActionScope::Viewport,
-         .run = [](PanelContext& c) { frame_objects(c, true); }},
+         .run = frame_all},
         {.id = "camera.reset",
          .menu = "View",
          .label = "Reset camera",
-         .help = "Position and direction as in the file",
+         .help = "Position, direction and field of view as in the file",
          .keys = {ImGuiKey_C},
          .scope = ActionScope::Viewport,
          .run = reset_camera},
     };
+    add_bookmarks(table, std::make_integer_sequence<int, 9>{});
+    return table;
 }
 
 }  // namespace tp
