@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # fetch_window.sh FOLDER: obtains into FOLDER what the window is built from: Dear ImGui (docking), GLFW,
-# ImGuizmo, ImPlot and fonts out of one source archive, and the GL loader, generated. Does nothing where
-# they are already there. Needs python3 with venv, and the network the first time.
+# ImGuizmo, ImPlot, fonts and, for the tests alone, the Dear ImGui test engine out of one source archive,
+# and the GL loader, generated. Does nothing where they are already there. Needs python3 with venv, and the
+# network the first time.
 set -euo pipefail
 folder=$1
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -23,7 +24,8 @@ tar -xzf "$work"/imgui_bundle-*.tar.gz -C "$work/unpacked" --strip-components=2 
     '*/external/imgui/imgui/*' '*/external/glfw/glfw/*' '*/external/implot/implot/*' '*/external/ImGuizmo/ImGuizmo/*' \
     '*/external/imgui_rich_md/imgui_rich_md/assets/fonts/*' '*/external/hello_imgui/hello_imgui/hello_imgui_assets/fonts/*' \
     '*/external/hello_imgui/hello_imgui/src/hello_imgui/icons_font_awesome_6.h' \
-    '*/external/portable_file_dialogs/portable_file_dialogs/*'
+    '*/external/portable_file_dialogs/portable_file_dialogs/*' \
+    '*/external/imgui_test_engine/imgui_test_engine/imgui_test_engine/*'
 "$work/tools/bin/python" -m glad --quiet --reproducible --api gl:core=4.5 --extensions GL_KHR_debug --out-path "$work/glad" c
 
 rm -rf "$folder/external" "$folder/glad"

@@ -1,5 +1,6 @@
 # What the window is built from, out of TEAPATH_DEPS (scripts/fetch_window.sh fills it): GLFW, the GL
-# loader, Dear ImGui with its backends, ImGuizmo, ImPlot. Their own warnings are theirs.
+# loader, Dear ImGui with its backends, ImGuizmo, ImPlot; for the tests also the Dear ImGui test engine,
+# which the program does not carry. Their own warnings are theirs.
 
 set(external ${TEAPATH_DEPS}/external)
 
@@ -32,5 +33,20 @@ target_include_directories(teapath_imgui SYSTEM PUBLIC
 target_compile_definitions(teapath_imgui PUBLIC "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)(int)")
 target_compile_options(teapath_imgui PRIVATE -w)
 target_link_libraries(teapath_imgui PUBLIC glfw ${CMAKE_DL_LIBS})
+if(TEAPATH_TESTS)
+    # Hooks of the test engine in the one Dear ImGui, so that the tests run the very objects of the program;
+    # src/app/no_test_engine.cpp is what the hooks call there.
+    target_compile_definitions(teapath_imgui PUBLIC IMGUI_ENABLE_TEST_ENGINE)
+    set(engine ${external}/imgui_test_engine/imgui_test_engine/imgui_test_engine)
+    file(GLOB engine_sources ${engine}/*.cpp)
+    list(REMOVE_ITEM engine_sources ${engine}/imgui_te_python_gil.cpp)
+    add_library(teapath_imgui_test_engine STATIC EXCLUDE_FROM_ALL ${engine_sources})
+    target_include_directories(teapath_imgui_test_engine SYSTEM PUBLIC ${engine})
+    target_compile_definitions(teapath_imgui_test_engine PUBLIC
+        IMGUI_TEST_ENGINE_ENABLE_COROUTINE_STDTHREAD_IMPL=1
+        IMGUI_TEST_ENGINE_ENABLE_STD_FUNCTION=1)
+    target_compile_options(teapath_imgui_test_engine PRIVATE -w)
+    target_link_libraries(teapath_imgui_test_engine PUBLIC teapath_imgui)
+endif()
 set(TEAPATH_FONTS ${external}/imgui_rich_md/imgui_rich_md/assets/fonts)
 set(TEAPATH_ICON_FONT ${external}/hello_imgui/hello_imgui/hello_imgui_assets/fonts)

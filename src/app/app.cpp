@@ -12,6 +12,7 @@
 
 // After imgui.h, which it needs.
 #include "actions.h"
+#include "application.h"
 #include "dialogs/dialogs.h"
 #include "panels/panels.h"
 #include "theme.h"
@@ -107,61 +108,71 @@ SessionOptions session_options(const AppOptions& options) {
     return session;
 }
 
+// The document to begin with; its render starts before there is a window.
+Document first_document(const AppOptions& options, RenderWorker& worker) {
+    Document document;
+    if (!options.scene.empty()) document.open(options.scene);
+    const ViewportState viewport;
+    worker.set_scene(document.snapshot(), viewport.width, viewport.height, false);
+    return document;
+}
+
 }  // namespace
 
-int run_app(const AppOptions& options) {
-    // The device wakes up while the window opens.
-    RenderWorker worker(session_options(options));
-    Document document;
-    std::string open_error;
-    if (!options.scene.empty()) document.open(options.scene);
-    UiState ui;
-    const std::filesystem::path preferences_file = configuration_folder() / "settings.json";
-    ui.preferences = load_preferences(preferences_file);
+App::App(const AppOptions& options)
+    : worker(session_options(options)),
+      document(first_document(options, worker)),
+      window(options.width, options.height, "Teapath") {
+    preferences_file_ = configuration_folder() / "settings.json";
+    ui.preferences = load_preferences(preferences_file_);
     ui.keys.from_names(ui.preferences.keys);
-    Preferences saved_preferences = ui.preferences;
-    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height, false);
-    Window window(options.width, options.height, "Teapath");
+    saved_preferences_ = ui.preferences;
     apply_theme(ui.preferences.dark_theme, window.scale());
-    DisplayTexture texture;
-    DisplayFrame frame;
-    std::string title;
-    const auto start = Clock::now();
-    double next_frame_ms = 0;
+}
 
-    for (;;) {
-        // Events, at sixty frames a second at most.
-        window.begin_frame(std::max(0.0, (next_frame_ms - ms_since(start)) / 1e3));
-        const auto frame_start = Clock::now();
-        next_frame_ms = ms_since(start) + 1000.0 / 60;
+void App::draw_frame(double wait_seconds) {
+    window.begin_frame(wait_seconds);
+    const auto frame_start = Clock::now();
 
-        // The newest picture.
-        const auto upload_start = Clock::now();
-        if (worker.take_frame(frame.serial, frame)) {
-            texture.upload(frame.rgb, frame.width, frame.height);
-            ui.metrics.upload_ms = ms_since(upload_start);
-        }
-
-        // The interface, which may change the document.
-        const RenderStatus status = worker.status();
-        PanelContext context{document, worker, ui, texture, window, status};
-        for (const std::filesystem::path& file : window.take_drops())
-            open_scene(context, file);
-        draw_panels(context);
-        worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
-                         ui.viewport.is_moving);
-        if (title != document.title()) window.set_title((title = document.title()) + " - Teapath");
-        if (ui.preferences != saved_preferences)
-            save_preferences(saved_preferences = ui.preferences, preferences_file);
-        remember_times(ui.metrics, ms_since(frame_start), status);
-        window.draw();
-        const bool is_last = options.quit_after > 0 && ms_since(start) > options.quit_after * 1e3;
-        if (is_last && !options.screenshot.empty()) write_screenshot(window, options.screenshot);
-        window.show();
-        if (is_last) break;
-        if (window.should_close() && (!document.is_modified() || ui.dialogs.pending.empty())) break;
+    // The newest picture.
+    if (worker.take_frame(frame_.serial, frame_)) {
+        texture.upload(frame_.rgb, frame_.width, frame_.height);
+        ui.metrics.upload_ms = ms_since(frame_start);
     }
-    return 0;
+
+    // The interface, which may change the document.
+    status = worker.status();
+    PanelContext context{document, worker, ui, texture, window, status};
+    for (const std::filesystem::path& file : window.take_drops())
+        open_scene(context, file);
+    draw_panels(context);
+    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
+                     ui.viewport.is_moving);
+    if (title_ != document.title()) window.set_title((title_ = document.title()) + " - Teapath");
+    if (ui.preferences != saved_preferences_)
+        save_preferences(saved_preferences_ = ui.preferences, preferences_file_);
+    remember_times(ui.metrics, ms_since(frame_start), status);
+    window.draw();
+}
+
+bool App::is_closed() const {
+    return window.should_close() && (!document.is_modified() || ui.dialogs.pending.empty());
+}
+
+int run_app(const AppOptions& options) {
+    App app(options);
+    const auto start = Clock::now();
+    for (double next_frame_ms = 0;;) {
+        // Sixty frames a second at most.
+        const double wait_ms = std::max(0.0, next_frame_ms - ms_since(start));
+        next_frame_ms = ms_since(start) + wait_ms + 1000.0 / 60;
+        app.draw_frame(wait_ms / 1e3);
+        const bool is_last = options.quit_after > 0 && ms_since(start) > options.quit_after * 1e3;
+        if (is_last && !options.screenshot.empty())
+            write_screenshot(app.window, options.screenshot);
+        app.window.show();
+        if (is_last || app.is_closed()) return 0;
+    }
 }
 
 }  // namespace tp

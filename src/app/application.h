@@ -1,0 +1,44 @@
+// The window program as an object that is driven frame by frame: by run_app at the pace of the
+// screen, by the tests at their own.
+#pragma once
+
+#include "context.h"
+
+#include <teapath/app/app.h>
+
+#include <filesystem>
+#include <string>
+
+namespace tp {
+
+class App {
+public:
+    /// Opens the window on the scene. Throws Error where no window can be opened or the scene is
+    /// broken.
+    explicit App(const AppOptions& options);
+    App(const App&) = delete;
+    App& operator=(const App&) = delete;
+
+    /// Waits at most `wait_seconds` for events, takes the newest picture and draws the interface,
+    /// which may change the document. window.show() follows.
+    void draw_frame(double wait_seconds);
+    /// True once the user has closed the window and nothing is left to ask.
+    bool is_closed() const;
+
+    // In the order in which they are made: the device wakes up while the window opens, and what
+    // lives in GL goes before the window.
+    RenderWorker worker;
+    Document document;
+    UiState ui;
+    Window window;
+    DisplayTexture texture;
+    RenderStatus status;  // of the frame drawn last
+
+private:
+    std::filesystem::path preferences_file_;
+    Preferences saved_preferences_;
+    DisplayFrame frame_;
+    std::string title_;
+};
+
+}  // namespace tp

@@ -1,0 +1,90 @@
+// What the window's tests are written with: the program as it is, opened anew for each test and
+// driven frame by frame, with the Dear ImGui test engine for panels and GLFW's own callbacks for
+// events of the system. Every frame is watched for OpenGL errors.
+#pragma once
+
+#include "application.h"
+
+#include <imgui.h>
+#include <imgui_te_context.h>
+#include <imgui_te_engine.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+struct GLFWwindow;
+
+namespace tp::test {
+
+struct WindowTestOptions {
+    bool is_null_platform = true;
+    std::filesystem::path folder;       // temporary, for what tests write
+    std::filesystem::path screenshots;  // empty: none
+    int steps = 0;                      // of the random driver; 0 = its own number
+    uint64_t seed = 0;
+};
+WindowTestOptions& window_test_options();
+
+/// Scenes that the repository ships, by name: "cornell_box".
+std::filesystem::path shipped_scene(const std::string& name);
+
+/// A small scene of a floor and three spheres (ids 1 to 4), four samples.
+Scene small_scene();
+/// Writes it, or any other, into the temporary folder and returns the file.
+std::filesystem::path write_scene(const Scene& scene, const std::string& name = "scene.json");
+
+class WindowTest {
+public:
+    explicit WindowTest(const Scene& scene = small_scene(), int width = 1280, int height = 720);
+    ~WindowTest();
+    WindowTest(const WindowTest&) = delete;
+    WindowTest& operator=(const WindowTest&) = delete;
+
+    /// Runs a test of the panels by the engine, which clicks and types; the calling thread draws
+    /// frames meanwhile. What goes wrong in it fails the doctest case.
+    void run(const std::function<void(ImGuiTestContext*)>& test);
+    /// Calls a function between two frames on the thread that has GL; for use inside of `run`.
+    void between_frames(ImGuiTestContext* ctx, const std::function<void()>& work);
+
+    /// Draws frames outside of `run`, with the events of the system.
+    void frames(int count = 1);
+    /// Draws frames until `done` holds; false if it does not within `seconds`.
+    bool frames_until(const std::function<bool()>& done, double seconds = 20);
+    /// The same inside of `run`.
+    static bool yield_until(ImGuiTestContext* ctx, const std::function<bool()>& done,
+                            double seconds = 20);
+
+    /// Events of the system, as GLFW reports them.
+    void move_cursor(double x, double y);
+    void press_mouse(int button, bool down);
+    void press_key(int key, bool down);
+    void drop(const std::filesystem::path& file);
+    void resize(int width, int height);
+    GLFWwindow* glfw() const;
+
+    /// Saves a picture of the window, if pictures are wanted.
+    void screenshot(const std::string& name);
+    /// Textures that OpenGL holds now.
+    int live_textures() const;
+
+    PanelContext context();
+    const Scene& scene() const { return app->document.scene(); }
+    Camera camera() const { return active_camera(app->document.scene()); }
+    ImGuiTestEngineIO& engine_io() { return ImGuiTestEngine_GetIO(engine_); }
+
+    std::unique_ptr<App> app;
+    bool was_closed = false;  // the program would have ended
+    int gl_errors = 0;        // since the start
+    std::string gl_error_text;
+
+private:
+    void draw_one_frame();
+    ImGuiTestEngine* engine_ = nullptr;
+    std::function<void()> work_;
+};
+
+}  // namespace tp::test
