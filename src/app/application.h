@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace tp {
 
@@ -16,6 +17,8 @@ public:
     /// Opens the window on the scene. Throws Error where no window can be opened or the scene is
     /// broken.
     explicit App(const AppOptions& options);
+    /// Remembers the window's place.
+    ~App();
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
@@ -35,10 +38,13 @@ public:
     RenderStatus status;  // of the frame drawn last
 
 private:
+    void apply_look();
+
     std::filesystem::path preferences_file_;
     Preferences saved_preferences_;
     DisplayFrame frame_;
     std::string title_;
+    std::pair<bool, float> look_{true, 0.0f};  // dark, scale: as applied last
 };
 
 }  // namespace tp

@@ -112,17 +112,22 @@ struct DialogState {
     PendingStep pending;               // then == null: no question
     std::deque<Message> messages;
     ExportSettings exports;
-    ScenePtr export_scene;                // what `exports` was last filled from
+    std::filesystem::path exports_of;  // the document that `exports` was filled from
+    // What was last asked of the disk, and its answer.
+    ExportSettings exports_checked;
+    ScenePtr exports_checked_scene;
+    std::string exports_refusal;
     std::filesystem::path window_image;  // where the window's pixels of this frame go, if anywhere
     std::string layout_name;
-    bool quits = false;  // all is settled: the program ends
+    bool asks_to_stop = false;  // whether to quit although an export runs
+    bool quits = false;         // all is settled: the program ends
 };
 
 struct LayoutState {
-    std::string built_in;                   // to be built in the next frame: "Edit", "Render" …
-    std::string places;                     // ImGui's, to be taken before the next frame
-    std::vector<std::string> saved;         // names, as of the last look
-    bool is_stale = true;                   // the folder is to be read again
+    std::string built_in;            // to be built in the next frame: "Edit", "Render" …
+    std::string places;              // ImGui's, to be taken before the next frame
+    std::vector<std::string> saved;  // names, as of the last look
+    bool is_stale = true;            // the folder is to be read again
 };
 
 struct UiState {

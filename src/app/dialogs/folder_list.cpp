@@ -50,11 +50,11 @@ bool comes_before(const std::string& a, const std::string& b) {
 }  // namespace
 
 bool FileFilter::passes(const fs::path& file) const {
-    std::string name = file.filename().string();
-    std::transform(name.begin(), name.end(), name.begin(), lower);
+    std::string text = file.filename().string();
+    std::transform(text.begin(), text.end(), text.begin(), lower);
     return extensions.empty() ||
            std::any_of(extensions.begin(), extensions.end(), [&](const std::string& extension) {
-               return name.size() > extension.size() && name.ends_with(extension);
+               return text.size() > extension.size() && text.ends_with(extension);
            });
 }
 

@@ -5,6 +5,7 @@
 #include <teapath/core/log.h>
 
 #include <cstdlib>
+#include <utility>
 
 namespace tp {
 

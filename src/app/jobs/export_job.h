@@ -40,6 +40,8 @@ struct ExportSettings {
     int frames = 48;
     double frames_per_second = 24;
     bool new_seeds = false;  // frame n has seed + n
+
+    friend bool operator==(const ExportSettings&, const ExportSettings&) = default;
 };
 
 /// As the scene says, to begin with.
@@ -63,8 +65,8 @@ struct ExportResult {
     double seconds = 0;
 };
 
-/// Renders and writes. Cancelled: what was written is taken away, or with `keeps` stays, the picture
-/// under way too. Throws Error; the frames before it stay then.
+/// Renders and writes. Cancelled: what was written is taken away, or with `keeps` stays, the
+/// picture under way too. Throws Error; the frames before it stay then.
 ExportResult run_export(const Scene& scene, const std::string& scene_name,
                         const ExportSettings& settings, JobControl& control);
 

@@ -64,6 +64,8 @@ void JobControl::set_cancel_hook(std::function<void(bool)> hook) {
     if (cancelled_ && hook_) hook_(keeps_);
 }
 
+Jobs::Jobs() = default;
+
 Jobs::~Jobs() {
     for (const auto& job : jobs_)
         cancel(job->id);

@@ -69,7 +69,7 @@ struct JobResult {
 /// All jobs of a window. Used by the interface thread.
 class Jobs {
 public:
-    Jobs() = default;
+    Jobs();
     /// Cancels what runs and waits for it.
     ~Jobs();
     Jobs(const Jobs&) = delete;

@@ -44,7 +44,7 @@ void draw_console(PanelContext& c) {
     if (c.ui.console.lines.size() > kMaxLines)
         c.ui.console.lines.erase(c.ui.console.lines.begin(), c.ui.console.lines.end() - kMaxLines);
 
-    if (ImGui::Begin("Console")) {
+    if (begin_panel(c, "Console")) {
         static ImGuiTextFilter filter;
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - ImGui::GetFontSize() * 9);
         if (ImGui::InputTextWithHint("##filter", "Filter: word, -without, a,b",

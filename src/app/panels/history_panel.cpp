@@ -6,7 +6,7 @@
 namespace tp {
 
 void draw_history(PanelContext& c) {
-    if (ImGui::Begin("History")) {
+    if (begin_panel(c, "History")) {
         for (size_t i = 0; i < c.document.history().size(); ++i) {
             const bool is_undone = i > c.document.history_position();
             if (is_undone)

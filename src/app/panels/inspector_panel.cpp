@@ -192,7 +192,7 @@ void draw_object(PanelContext& c, ObjectId id) {
 }  // namespace
 
 void draw_inspector(PanelContext& c) {
-    if (ImGui::Begin("Inspector")) {
+    if (begin_panel(c, "Inspector")) {
         if (!c.document.selection.empty()) {
             if (c.document.selection.size() > 1)
                 ImGui::TextDisabled("%d objects; the last one is shown",

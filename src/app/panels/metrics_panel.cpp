@@ -44,7 +44,7 @@ std::string time_left(const PanelContext& c) {
 }  // namespace
 
 void draw_metrics(PanelContext& c) {
-    if (ImGui::Begin("Metrics")) {
+    if (begin_panel(c, "Metrics")) {
         const RenderStatus& s = c.status;
         const float frame_ms = ImGui::GetIO().DeltaTime * 1e3f;
         draw_frame_graph(c.ui.metrics);

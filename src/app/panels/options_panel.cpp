@@ -121,7 +121,7 @@ void draw_background(PanelContext& c) {
 }  // namespace
 
 void draw_options(PanelContext& c) {
-    if (ImGui::Begin("Options")) {
+    if (begin_panel(c, "Options")) {
         if (ui::section("Camera")) draw_camera(c);
         if (ui::section("Sampling")) draw_sampling(c);
         if (ui::section("Display")) draw_display(c);

@@ -98,7 +98,7 @@ void draw_materials(PanelContext& c) {
 }  // namespace
 
 void draw_scene_tree(PanelContext& c) {
-    if (ImGui::Begin("Scene")) {
+    if (begin_panel(c, "Scene")) {
         ImGui::SetNextItemWidth(-1);
         ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search",
                                  &c.ui.tree.search);

@@ -1,4 +1,5 @@
 // One line at the bottom: what renders, how far, how fast.
+#include "../jobs/jobs_view.h"
 #include "panels.h"
 
 #include <fmt/format.h>
@@ -30,6 +31,7 @@ void draw_status_bar(PanelContext& c) {
                                        .c_str());
             ImGui::TextDisabled("|");
             ImGui::Text("%.1f MiB", static_cast<double>(s.memory_bytes) / 1048576);
+            draw_jobs(c);
             if (!s.error.empty())
                 ImGui::TextColored(ImVec4(1, 0.5f, 0.45f, 1), "%s", s.error.c_str());
             ImGui::EndMenuBar();
