@@ -83,10 +83,7 @@ TEST_CASE("layouts: saved, listed, read, replaced and deleted, whatever their na
     TemporaryFolder folder;
     const fs::path layouts = folder.path / "layouts";
     CHECK(layout_names(layouts).empty());
-    const std::vector<std::string> wanted = {"../up", "a/b",
-                                             "Fl\xc3\xa4"
-                                             "che 2",
-                                             "plain"};
+    const std::vector<std::string> wanted = {"../up", "Fl\xc3\xa4 2", "a/b", "plain"};
     for (const std::string& name : wanted) {
         const Layout layout{name, {"Console", "History"}, "[Window][Options]\nPos=1,2\n\n"};
         save_layout(layouts, layout);

@@ -40,6 +40,11 @@ bool is_pressed(int chord, const PanelContext& c) {
     return ImGui::IsKeyChordPressed(chord);
 }
 
+void perform(const Action& a, PanelContext& c) {
+    c.ui.last_action = a.id;
+    a.run(c);
+}
+
 void draw_item(PanelContext& c, const Action& a) {
     if (a.starts_group) ImGui::Separator();
     if (a.more) {
@@ -50,11 +55,11 @@ void draw_item(PanelContext& c, const Action& a) {
     const std::string key = chord_label(c.ui.keys.chords(a.id)[0]);
     if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
                         is_enabled(a, c)))
-        a.run(c);
+        perform(a, c);
     const bool is_greyed = a.why_not && !is_enabled(a, c);
     const std::string tip = is_greyed ? a.why_not(c) : a.help;
-    if (!tip.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip |
-                                             ImGuiHoveredFlags_AllowWhenDisabled))
+    if (!tip.empty() &&
+        ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", tip.c_str());
 }
 
@@ -78,7 +83,7 @@ bool is_enabled(const Action& action, const PanelContext& c) {
 
 void run_action(std::string_view id, PanelContext& c) {
     const Action& a = action(id);
-    if (a.run && is_enabled(a, c)) a.run(c);
+    if (a.run && is_enabled(a, c)) perform(a, c);
 }
 
 void run_shortcuts(PanelContext& c) {
@@ -93,7 +98,7 @@ void run_shortcuts(PanelContext& c) {
         const KeyMap::Chords chords = c.ui.keys.chords(a.id);
         if (std::any_of(chords.begin(), chords.end(), [&](int k) { return is_pressed(k, c); }) &&
             is_enabled(a, c))
-            a.run(c);
+            perform(a, c);
     }
 }
 

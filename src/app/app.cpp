@@ -103,8 +103,12 @@ App::~App() {
 void App::apply_look() {
     window.set_interface_scale(ui.preferences.interface_scale);
     const std::pair<bool, float> look{ui.preferences.dark_theme, window.scale()};
-    if (look != look_) apply_theme(look.first, look.second);
+    if (look == look_) return;
     look_ = look;
+    apply_theme(look.first, look.second);
+    // Fonts are drawn at any size; a panel's cross shows under the pointer.
+    ImGui::GetStyle().FontScaleDpi = look.second;
+    ImGui::GetStyle().TabCloseButtonMinWidthSelected = 0;
 }
 
 void App::draw_frame(double wait_seconds) {

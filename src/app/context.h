@@ -124,15 +124,18 @@ struct DialogState {
 };
 
 struct LayoutState {
-    std::string built_in;            // to be built in the next frame: "Edit", "Render" …
-    std::string places;              // ImGui's, to be taken before the next frame
-    std::vector<std::string> saved;  // names, as of the last look
-    bool is_stale = true;            // the folder is to be read again
+    std::string built_in;               // to be built in the next frame: "Edit", "Render" …
+    std::string places;                 // ImGui's, to be taken before the next frame
+    std::vector<std::string> saved;     // names, as of the last look
+    std::vector<std::string> in_front;  // panels whose tabs are to be in front …
+    int frames_to_front = 0;            // … after so many frames
+    bool is_stale = true;               // the folder is to be read again
 };
 
 struct UiState {
     Preferences preferences;
     KeyMap keys;
+    const char* last_action = "";  // the id of the action that ran last
     bool paused = false;
     bool reset_layout = false;
     ViewportState viewport;

@@ -20,10 +20,13 @@ std::filesystem::path layout_folder() {
     return configuration_folder() / "layouts";
 }
 
-// The tab in front is the one that was docked last, once its window is there.
-void put_in_front(ImGuiID node, const char* title) {
-    if (ImGuiDockNode* n = ImGui::DockBuilderGetNode(node))
-        n->SelectedTabId = ImHashStr("#TAB", 0, ImHashStr(title));
+// The tab in front would be that of the panel drawn last: put right once all are there.
+void put_in_front(LayoutState& layout) {
+    if (layout.frames_to_front == 0 || --layout.frames_to_front > 0) return;
+    for (const std::string& title : layout.in_front)
+        if (const ImGuiWindow* window = ImGui::FindWindowByName(title.c_str()))
+            if (window->DockNode && window->DockNode->TabBar)
+                window->DockNode->TabBar->NextSelectedTabId = window->TabId;
 }
 
 void hide_tab_bar(ImGuiID node) {
@@ -53,7 +56,6 @@ void build_edit(ImGuiID middle, const ImVec2& size) {
     ImGui::DockBuilderDockWindow("Console", bottom);
     ImGui::DockBuilderDockWindow("Metrics", metrics);
     ImGui::DockBuilderDockWindow("History", metrics);
-    put_in_front(metrics, "Metrics");
     hide_tab_bar(middle);
 }
 
@@ -82,8 +84,6 @@ void build_inspect(ImGuiID middle, const ImVec2& size) {
         ImGui::DockBuilderDockWindow(title, inspector);
     for (const char* title : {"Console", "History"})
         ImGui::DockBuilderDockWindow(title, bottom);
-    put_in_front(inspector, "Inspector");
-    put_in_front(bottom, "Console");
     hide_tab_bar(middle);
 }
 
@@ -104,6 +104,8 @@ void build(PanelContext& c, ImGuiID dockspace, std::string_view name) {
         build_edit(dockspace, size);
     }
     ImGui::DockBuilderFinish(dockspace);
+    c.ui.layout.in_front = {"Metrics", "Console", name == "Inspect" ? "Inspector" : "Scene"};
+    c.ui.layout.frames_to_front = 3;
 }
 
 void refresh(LayoutState& layout) {
@@ -142,7 +144,9 @@ void draw_dock_space(PanelContext& c) {
     std::string wanted = std::exchange(c.ui.layout.built_in, {});
     if (std::exchange(c.ui.reset_layout, false)) wanted = "Edit";
     if (!wanted.empty() || !ImGui::DockBuilderGetNode(dockspace)) build(c, dockspace, wanted);
-    ImGui::DockSpaceOverViewport(dockspace, ImGui::GetMainViewport(), ImGuiDockNodeFlags_None);
+    const int flags = ImGuiDockNodeFlags_NoCloseButton;  // a panel's tab has one
+    ImGui::DockSpaceOverViewport(dockspace, ImGui::GetMainViewport(), flags);
+    put_in_front(c.ui.layout);
 }
 
 void choose_layout(PanelContext& c, const char* name) {

@@ -82,7 +82,6 @@ void apply(const Levels& l, float scale) {
     c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = grey(l.dim);
     c[ImGuiCol_TableRowBgAlt] = grey(l.text, 0.03f);
     style.ScaleAllSizes(scale);
-    style.FontScaleDpi = scale;
     ImGui::GetStyle() = style;
 }
 

@@ -9,7 +9,9 @@ using namespace tp::test;
 
 TEST_CASE("start: the window shows the picture of the scene") {
     WindowTest t;
-    CHECK(t.frames_until([&] { return t.app->status.is_done; }));
+    CHECK(t.frames_until([&] {
+        return t.app->status.is_done && t.app->texture.width() == t.app->ui.viewport.width;
+    }));
     t.frames(2);
     CHECK(t.app->texture.width() == t.app->ui.viewport.width);
     CHECK(t.app->texture.height() == t.app->ui.viewport.height);

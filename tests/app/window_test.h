@@ -32,7 +32,7 @@ WindowTestOptions& window_test_options();
 /// Scenes that the repository ships, by name: "cornell_box".
 std::filesystem::path shipped_scene(const std::string& name);
 
-/// A small scene of a floor and three spheres (ids 1 to 4), four samples.
+/// A small scene of a floor and three spheres (ids 1 to 4), one short sample.
 Scene small_scene();
 /// Writes it, or any other, into the temporary folder and returns the file.
 std::filesystem::path write_scene(const Scene& scene, const std::string& name = "scene.json");
@@ -77,14 +77,16 @@ public:
     ImGuiTestEngineIO& engine_io() { return ImGuiTestEngine_GetIO(engine_); }
 
     std::unique_ptr<App> app;
-    bool was_closed = false;  // the program would have ended
-    int gl_errors = 0;        // since the start
+    bool draw_pixels = false;  // of each frame, not of every 64th
+    bool was_closed = false;   // the program would have ended
+    int gl_errors = 0;         // since the start
     std::string gl_error_text;
 
 private:
     void draw_one_frame();
     ImGuiTestEngine* engine_ = nullptr;
     std::function<void()> work_;
+    int frame_count_ = 0;
 };
 
 }  // namespace tp::test

@@ -1,0 +1,164 @@
+// Every control of the options and of the inspector, at its limits and beyond: the scene stays one
+// that can be saved and rendered, and undo leads back to the start.
+#include "window_test.h"
+
+#include <teapath/editor/scene_edits.h>
+#include <teapath/io/scene_file.h>
+#include <teapath/scene/enum_tables.h>
+#include <teapath/scene/validate.h>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace tp;
+using namespace tp::test;
+
+namespace {
+
+// One object of each shape, one material of each kind, and textures.
+Scene scene_of_everything() {
+    Scene scene = small_scene();
+    scene.objects.resize(1);
+    for (const ShapeKind& kind : shape_kinds()) {
+        const auto x = static_cast<double>(scene.objects.size()) - 4;
+        add_object(scene, kind, {x, 0.5, 0}, 0.6);
+    }
+    for (const auto& row : EnumTable<MaterialKind>::rows)
+        add_material(scene, row.value);
+    for (const auto& row : EnumTable<TextureKind>::rows)
+        if (row.value != TextureKind::Image) add_texture(scene, row.value);
+    return scene;
+}
+
+// What is wrong with the scene, for people; empty if all is well.
+std::string problems_of(const Scene& scene) {
+    std::string text;
+    for (const Problem& problem : validate(scene))
+        if (problem.fatal) text += fmt::format("{}: {}; ", problem.where, problem.what);
+    if (!text.empty()) return text;
+    try {
+        const std::string saved = scene_text(scene);
+        if (scene_text(parse_scene(saved, ".", "test")) != saved)
+            text = "it is another once saved and read";
+    } catch (const std::exception& error) {
+        text = error.what();
+    }
+    return text;
+}
+
+bool is_number_or_text(const ImGuiTestItemInfo& item) {
+    return (item.StatusFlags & ImGuiItemStatusFlags_Inputable) != 0;
+}
+
+bool is_disabled(const ImGuiTestItemInfo& item) {
+    return (item.ItemFlags & ImGuiItemFlags_Disabled) != 0;
+}
+
+struct Exerciser {
+    WindowTest& t;
+    ImGuiTestContext* ctx;
+    int controls = 0;
+
+    void check(const std::string& what) {
+        ctx->Yield();
+        INFO(what);
+        CHECK(problems_of(t.scene()) == "");
+        CHECK(t.app->status.error == "");
+    }
+
+    // Types values at and beyond the limits into a field.
+    void type_values(const ImGuiTestItemInfo& item, const std::string& name) {
+        for (const char* value : {"-1e30", "1e30", "1e-30", "0", "nan", "%n%s"}) {
+            if (!ctx->ItemExists(item.ID)) return;
+            ctx->ItemInputValue(item.ID, value);
+            check(fmt::format("{} = {}", name, value));
+        }
+    }
+
+    // Every control of a window as it is now; those that an edit brings are for the next call.
+    void exercise(const char* window) {
+        ImGuiTestItemList items;
+        ctx->GatherItems(&items, window, -1);
+        for (const ImGuiTestItemInfo& item : items) {
+            if (ctx->IsError()) return;
+            if (is_disabled(item) || !ctx->ItemExists(item.ID)) continue;
+            const std::string name = fmt::format("{}: {}", window, item.DebugLabel);
+            if (is_number_or_text(item)) {
+                type_values(item, name);
+            } else if (item.StatusFlags & ImGuiItemStatusFlags_Checkable) {
+                ctx->ItemClick(item.ID);
+                check(name);
+                if (ctx->ItemExists(item.ID)) ctx->ItemClick(item.ID);
+                check(name);
+            } else {
+                continue;
+            }
+            ++controls;
+        }
+    }
+
+    // Every choice of every combo of a window.
+    void exercise_combos(const char* window, const std::vector<std::string>& labels) {
+        for (const std::string& label : labels) {
+            const std::string ref = fmt::format("//{}/**/##{}", window, label);
+            if (!ctx->ItemExists(ref.c_str())) continue;
+            ctx->ComboClickAll(ref.c_str());
+            check(fmt::format("{}: every {}", window, label));
+            ++controls;
+        }
+    }
+};
+
+// The scene with the camera of another, which undo leaves where it was flown to.
+Scene with_camera_of(Scene scene, const Scene& other) {
+    scene.cameras = other.cameras;
+    return scene;
+}
+
+void undo_everything(WindowTest& t) {
+    while (t.app->document.can_undo())
+        t.app->document.undo();
+}
+
+}  // namespace
+
+TEST_CASE("controls: the options at their limits, and back by undo") {
+    WindowTest t;
+    const Scene start = t.scene();
+    t.run([&](ImGuiTestContext* ctx) {
+        Exerciser e{t, ctx};
+        e.exercise("//Options");
+        MESSAGE(e.controls << " controls");
+        CHECK(e.controls > 20);
+    });
+    CHECK(t.app->document.can_undo());
+    undo_everything(t);
+    CHECK(t.scene() == start);
+}
+
+TEST_CASE("controls: the inspector of every shape and material at its limits, and back by undo") {
+    WindowTest t(scene_of_everything());
+    const Scene start = t.scene();
+    t.run([&](ImGuiTestContext* ctx) {
+        Exerciser e{t, ctx};
+        for (const Object& object : start.objects) {
+            t.app->document.select(object.id);
+            ctx->Yield(2);
+            e.exercise("//Inspector");
+        }
+        t.app->document.selection.clear();
+        for (const Material& material : start.materials) {
+            t.app->ui.tree.chosen_material = material.id;
+            ctx->Yield(2);
+            e.exercise("//Inspector");
+        }
+        MESSAGE(e.controls << " controls");
+        CHECK(e.controls > 100);
+    });
+    undo_everything(t);
+    CHECK(t.scene() == with_camera_of(start, t.scene()));
+}
