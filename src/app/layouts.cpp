@@ -26,7 +26,8 @@ void put_in_front(LayoutState& layout) {
     for (const std::string& title : layout.in_front)
         if (const ImGuiWindow* window = ImGui::FindWindowByName(title.c_str()))
             if (window->DockNode && window->DockNode->TabBar)
-                window->DockNode->TabBar->NextSelectedTabId = window->TabId;
+                window->DockNode->TabBar->SelectedTabId =
+                    window->DockNode->TabBar->NextSelectedTabId = window->TabId;
 }
 
 void hide_tab_bar(ImGuiID node) {
@@ -105,7 +106,7 @@ void build(PanelContext& c, ImGuiID dockspace, std::string_view name) {
     }
     ImGui::DockBuilderFinish(dockspace);
     c.ui.layout.in_front = {"Metrics", "Console", name == "Inspect" ? "Inspector" : "Scene"};
-    c.ui.layout.frames_to_front = 3;
+    c.ui.layout.frames_to_front = 6;
 }
 
 void refresh(LayoutState& layout) {

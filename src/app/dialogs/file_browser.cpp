@@ -1,5 +1,6 @@
-// The browser for files, drawn where the desktop has no dialog of its own. Works by keyboard: arrows
-// and Enter in the list, Backspace for the folder above, Escape to give up.
+// The browser for files, drawn where the desktop has no dialog of its own. Works by keyboard:
+// arrows and Enter in the list, Backspace for the folder above, Escape to give up; so Dear ImGui's
+// own way with these keys is off in it.
 #include "../theme.h"
 #include "file_dialog.h"
 
@@ -29,8 +30,7 @@ void go_to(FileDialog& d, const fs::path& folder) {
 void refresh(FileDialog& d) {
     if (d.path_text.empty()) go_to(d, d.folder);
     const FileFilter all;
-    const FileFilter& filter =
-        d.question.filters.empty() ? all : d.question.filters[d.filter];
+    const FileFilter& filter = d.question.filters.empty() ? all : d.question.filters[d.filter];
     d.entries = list_folder(d.folder, filter, d.shows_hidden, d.error);
     sort_entries(d.entries, d.order, d.descending);
     d.is_stale = false;
@@ -120,10 +120,9 @@ bool draw_list(FileDialog& d, fs::path& chosen, float height) {
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(d.entries.size()));
     if (d.cursor >= 0) clipper.IncludeItemByIndex(d.cursor);
-    const bool by_key = ImGui::IsKeyPressed(ImGuiKey_DownArrow) ||
-                        ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
-                        ImGui::IsKeyPressed(ImGuiKey_PageDown) ||
-                        ImGui::IsKeyPressed(ImGuiKey_PageUp);
+    const bool by_key =
+        ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow) ||
+        ImGui::IsKeyPressed(ImGuiKey_PageDown) || ImGui::IsKeyPressed(ImGuiKey_PageUp);
     std::string opened;
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
@@ -164,13 +163,12 @@ bool draw_foot(FileDialog& d, fs::path& chosen) {
     ImGui::SameLine(font * 4);
     ImGui::SetNextItemWidth(-font * 15);
     if (ImGui::InputText("##name", &d.name)) d.asks_to_replace = false;
-    done |= ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGuiKey_Enter) ||
-                                           ImGui::IsKeyPressed(ImGuiKey_KeypadEnter));
+    done |= ImGui::IsItemDeactivated() &&
+            (ImGui::IsKeyPressed(ImGuiKey_Enter) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
     const auto& filters = d.question.filters;
-    if (!filters.empty() &&
-        ImGui::BeginCombo("##filter", filters[d.filter].name.c_str())) {
+    if (!filters.empty() && ImGui::BeginCombo("##filter", filters[d.filter].name.c_str())) {
         for (size_t i = 0; i < filters.size(); ++i)
             if (ImGui::Selectable(filters[i].label().c_str(), i == d.filter)) {
                 d.filter = i;
@@ -186,7 +184,7 @@ bool draw_foot(FileDialog& d, fs::path& chosen) {
     const float width = font * 6;
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * width - ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(d.name.empty());
-    done |= ImGui::Button((text + "##accept").c_str(), ImVec2(width, 0));
+    done |= ImGui::Button((text + "###accept").c_str(), ImVec2(width, 0));
     ImGui::EndDisabled();
     ImGui::SameLine();
     over = ImGui::Button("Cancel", ImVec2(width, 0));
@@ -211,8 +209,8 @@ bool draw_file_browser(FileDialog& d, fs::path& chosen) {
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing,
                             ImVec2(0.5f, 0.5f));
     bool is_open = true;
-    // Nothing of it: Escape or the cross.
-    if (!ImGui::BeginPopupModal(title.c_str(), &is_open, ImGuiWindowFlags_NoSavedSettings))
+    if (!ImGui::BeginPopupModal(title.c_str(), &is_open,
+                                ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs))
         return true;
     bool over = !is_open;
     draw_path(d);
