@@ -38,7 +38,8 @@ void begin_new(WindowTest& t) {
 
 void choose_in_browser(ImGuiTestContext* ctx, const char* title, const fs::path& file) {
     ctx->SetRef((std::string("//") + title + "###file browser").c_str());
-    ctx->ItemInputValue("##name", file.c_str());
+    ctx->ItemInput("##name");
+    ctx->KeyCharsReplace(file.c_str());
     ctx->ItemClick("###accept");
     ctx->Yield(2);
 }
@@ -237,7 +238,7 @@ TEST_CASE(
         for (const char* name : {"Render", "Inspect", "Edit"}) {
             t.app->ui.layout.built_in = name;
             ctx->Yield(8);
-            t.screenshot(std::string("layout_") + name);
+            t.between_frames(ctx, [&] { t.screenshot(std::string("layout_") + name); });
             const bool is_alone = std::string(name) == "Render";
             CHECK(t.app->ui.preferences.is_panel_open("Options") != is_alone);
             CHECK(t.app->ui.preferences.is_panel_open("Viewport"));

@@ -69,7 +69,8 @@ void drop_image(PanelContext& c, const fs::path& file) {
     const std::vector<MaterialId> materials = target_materials(c.document);
     if (materials.empty() && !is_over_viewport(c)) {
         c.toast(fmt::format("Drop {} on the picture for a background, or select an object first",
-                            file.filename().string()));
+                            file.filename().string()),
+                true);
         return;
     }
     JobOptions options;
