@@ -95,6 +95,7 @@ App::App(const AppOptions& options)
 }
 
 App::~App() {
+    worker.stop();  // its threads would slow down what ends before it
     ui.preferences.window = window.place();
     if (ui.preferences != saved_preferences_) save_preferences(ui.preferences, preferences_file_);
 }

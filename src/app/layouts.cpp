@@ -20,9 +20,13 @@ std::filesystem::path layout_folder() {
     return configuration_folder() / "layouts";
 }
 
-// The tab in front would be that of the panel drawn last: put right once all are there.
-void put_in_front(LayoutState& layout) {
-    if (layout.frames_to_front == 0 || --layout.frames_to_front > 0) return;
+// The panel drawn last would have the focus, and its tab be in front: put right once all are there.
+void put_in_front(PanelContext& c) {
+    LayoutState& layout = c.ui.layout;
+    if (layout.frames_to_front == 0) return;
+    --layout.frames_to_front;
+    if (layout.frames_to_front == 2) c.ui.viewport.wants_focus = true;
+    if (layout.frames_to_front > 0) return;
     for (const std::string& title : layout.in_front)
         if (const ImGuiWindow* window = ImGui::FindWindowByName(title.c_str()))
             if (window->DockNode && window->DockNode->TabBar)
@@ -147,7 +151,7 @@ void draw_dock_space(PanelContext& c) {
     if (!wanted.empty() || !ImGui::DockBuilderGetNode(dockspace)) build(c, dockspace, wanted);
     const int flags = ImGuiDockNodeFlags_NoCloseButton;  // a panel's tab has one
     ImGui::DockSpaceOverViewport(dockspace, ImGui::GetMainViewport(), flags);
-    put_in_front(c.ui.layout);
+    put_in_front(c);
 }
 
 void choose_layout(PanelContext& c, const char* name) {

@@ -28,13 +28,17 @@ RenderWorker::RenderWorker(const SessionOptions& options)
     : thread_([this, options] { run(options); }) {}
 
 RenderWorker::~RenderWorker() {
+    stop();
+    thread_.join();
+}
+
+void RenderWorker::stop() {
     {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
         if (Session* session = session_) session->cancel();
     }
     wake_.notify_all();
-    thread_.join();
 }
 
 void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,

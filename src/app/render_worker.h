@@ -50,6 +50,8 @@ class RenderWorker {
 public:
     explicit RenderWorker(const SessionOptions& options);
     ~RenderWorker();
+    /// Asks the thread to end, and does not wait; nothing is rendered after that.
+    void stop();
     RenderWorker(const RenderWorker&) = delete;
     RenderWorker& operator=(const RenderWorker&) = delete;
 
