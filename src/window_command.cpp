@@ -7,12 +7,17 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 
 namespace tp {
 
 std::optional<int> run_window_command(int argc, char** argv) {
+    if (argc == 2 && std::string(argv[1]) == "--print-keys") {
+        std::fputs(keys_page().c_str(), stdout);
+        return 0;
+    }
     const bool names_scene = argc > 1 && std::filesystem::path(argv[1]).extension() == ".json";
     if (argc > 1 && !names_scene) return std::nullopt;
     AppOptions options;

@@ -174,6 +174,15 @@ TEST_CASE("a room whose walls are larger than what is in it is framed whole") {
     CHECK(extent_of_all(scene)->radius > 390);
 }
 
+TEST_CASE("a small lamp among larger things does not make them the ground") {
+    Scene scene;
+    scene.objects.resize(4);
+    scene.objects[0].shape = SphereShape{{0, 3, 0}, 0.02};
+    for (size_t i = 1; i < 4; ++i)
+        scene.objects[i].shape = SphereShape{{2.5 * static_cast<double>(i), 0, 0}, 1};
+    CHECK(extent_of_all(scene)->radius > 3);
+}
+
 TEST_CASE("framing shows the whole sphere, in narrow pictures too") {
     Camera camera;
     for (const double aspect : {0.4, 1.0, 2.0}) {

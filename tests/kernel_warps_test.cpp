@@ -161,3 +161,25 @@ TEST_CASE("the numbers at the rim of the square make unit directions") {
         }
     }
 }
+
+TEST_CASE("frames are right-handed and orthonormal, and steady where common normals are") {
+    const TeaKey key = tea_key(0, 11);
+    for (uint32_t i = 0; i < 10000; ++i) {
+        const TeaBlock a = tea_encrypt<8>({i, 0}, key);
+        const Frame f = frame_around(sample_uniform_sphere({unit_real(a.v0), unit_real(a.v1)}));
+        CHECK(length(cross(f.x, f.y) - f.z) < Real(4e-6));
+        CHECK(std::abs(length(f.x) - 1) < Real(4e-6));
+        CHECK(std::abs(dot(f.x, f.z)) < Real(4e-6));
+    }
+    // Rounding of a normal turns the frame by no more than itself: else one path would differ
+    // between processors.
+    const Real tiny = Real(1e-7);
+    for (const Vec3 n : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0),
+                         Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(Real(0.8), 0, Real(-0.6)),
+                         Vec3(Real(0.5), Real(0.70710678), Real(-0.5))}) {
+        const Frame here = frame_around(normalize(n + Vec3(0, 0, tiny)));
+        const Frame there = frame_around(normalize(n - Vec3(0, 0, tiny)));
+        CHECK(length(here.x - there.x) < 20 * tiny);
+        CHECK(length(here.y - there.y) < 20 * tiny);
+    }
+}

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 namespace tp {
 namespace {
@@ -90,8 +91,9 @@ void run_shortcuts(PanelContext& c) {
     // A modal dialog has the keys for itself.
     if (ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
         return;
-    // The settings wait for a key.
-    if (!c.ui.dialogs.key_to_set.empty()) return;
+    // The settings wait for a key, or have just got it.
+    const bool was_taken = std::exchange(c.ui.dialogs.key_was_taken, false);
+    if (was_taken || !c.ui.dialogs.key_to_set.empty()) return;
     for (const Action& a : actions()) {
         if (!a.run || a.scope == ActionScope::Held) continue;
         if (a.scope == ActionScope::Viewport && !c.ui.viewport.has_focus) continue;

@@ -53,9 +53,6 @@ void draw_menu_items(PanelContext& c, std::string_view menu);
 /// The heading that the action has in lists of keys: its innermost menu, or "Fly".
 std::string group_of(const Action& action);
 
-/// The table of keys as a Markdown page, as shipped (docs/keys.md).
-std::string keys_page();
-
 // The parts of the table, one file each in actions/.
 std::vector<Action> file_actions();
 std::vector<Action> edit_actions();

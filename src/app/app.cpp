@@ -112,26 +112,42 @@ void App::apply_look() {
     ImGui::GetStyle().TabCloseButtonMinWidthSelected = 0;
 }
 
+void App::show_newest_picture(PanelContext& c) {
+    if (auto image = worker.take_image()) texture.set_image(std::move(*image));
+    try {
+        texture.update(document.scene().display);
+    } catch (const Error& error) {
+        // The renderer meets the same trouble and goes on with the host.
+        texture.release_device();
+        c.toast(error.what(), true);
+    }
+    ui.metrics.show_ms = texture.show_ms();
+}
+
+void App::post_scene() {
+    // What changes in frame after frame is a drag or a flight.
+    const bool is_changed = document.snapshot() != posted_;
+    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
+                     ui.viewport.is_moving || (is_changed && was_changed_));
+    was_changed_ = is_changed;
+    posted_ = document.snapshot();
+}
+
 void App::draw_frame(double wait_seconds) {
     apply_look();
     apply_saved_layout(ui);
     window.begin_frame(wait_seconds);
     const auto frame_start = Clock::now();
 
-    // The newest picture.
-    if (worker.take_frame(frame_.serial, frame_)) {
-        texture.upload(frame_.rgb, frame_.width, frame_.height);
-        ui.metrics.upload_ms = ms_since(frame_start);
-    }
-
-    // The interface, which may change the document.
     status = worker.status();
     PanelContext context{document, worker, ui, texture, window, status};
+    show_newest_picture(context);
+
+    // The interface, which may change the document.
     for (const std::filesystem::path& file : window.take_drops())
         drop_file(context, file);
     draw_panels(context);
-    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
-                     ui.viewport.is_moving);
+    post_scene();
     if (title_ != document.title()) window.set_title((title_ = document.title()) + " - Teapath");
     if (ui.preferences != saved_preferences_)
         save_preferences(saved_preferences_ = ui.preferences, preferences_file_);

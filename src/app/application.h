@@ -38,12 +38,15 @@ public:
     RenderStatus status;  // of the frame drawn last
 
 private:
+    void show_newest_picture(PanelContext& c);
+    void post_scene();
     void apply_look();
 
     std::filesystem::path preferences_file_;
     Preferences saved_preferences_;
-    DisplayFrame frame_;
     std::string title_;
+    ScenePtr posted_;  // what the renderer was given last
+    bool was_changed_ = false;
     std::pair<bool, float> look_{true, 0.0f};  // dark, scale: as applied last
 };
 

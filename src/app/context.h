@@ -2,7 +2,7 @@
 // state of the interface, which has a part for each panel. No copy of a scene value lives here.
 #pragma once
 
-#include "display_texture.h"
+#include "display/display_texture.h"
 #include "jobs/autosave.h"
 #include "jobs/export_job.h"
 #include "jobs/jobs.h"
@@ -84,8 +84,8 @@ struct MetricsState {
     static constexpr size_t kFrames = 240;
     std::array<float, kFrames> interface_ms{};
     std::array<float, kFrames> trace_ms{};
-    size_t frames = 0;  // since the start
-    double upload_ms = 0;
+    size_t frames = 0;   // since the start
+    double show_ms = 0;  // from the renderer to the texture, of the last picture
 };
 
 struct FileDialog;
@@ -104,8 +104,10 @@ struct PendingStep {
 struct DialogState {
     bool show_keys = false;
     bool show_settings = false;
-    std::string key_to_set;  // id of the action that waits for its new key in the settings
-    int key_slot = 0;        // which of its two
+    std::string key_to_set;      // id of the action that waits for its new key in the settings
+    int key_slot = 0;            // which of its two
+    bool key_was_taken = false;  // in this frame
+    std::string key_search;
     bool show_export = false;
     bool show_save_layout = false;
     std::shared_ptr<FileDialog> file;  // the question for a file that is open

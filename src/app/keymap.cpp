@@ -18,7 +18,7 @@ constexpr std::pair<const char*, int> kModifiers[] = {{"Ctrl+", ImGuiMod_Ctrl},
                                                       {"Super+", ImGuiMod_Super}};
 
 constexpr std::pair<const char*, const char*> kShortNames[] = {
-    {" Arrow", ""}, {"Equal", "="}, {"Minus", "-"}, {"Escape", "Esc"}};
+    {" Arrow", ""}, {"Comma", ","}, {"Equal", "="}, {"Minus", "-"}, {"Escape", "Esc"}};
 
 int key_of(int chord) {
     return chord & ~ImGuiMod_Mask_;

@@ -18,8 +18,10 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr double kPreviewSeconds = 0.03;  // that a picture may take while the user moves something
-constexpr double kStepSeconds = 0.05;     // that a step may take when all is still
+constexpr double kPreviewSeconds = 0.03;   // that a picture may take while the user moves something
+constexpr double kHostStepSeconds = 0.05;  // that a step may take when all is still
+constexpr double kCudaStepSeconds = 0.012;
+constexpr double kLaunchSeconds = 0.004;  // that a launch may keep the card from drawing
 constexpr double kRestSeconds = 0.15;     // of stillness before full resolution comes back
 
 }  // namespace
@@ -44,9 +46,7 @@ void RenderWorker::stop() {
 void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,
                              bool is_moving) {
     const std::lock_guard lock(mutex_);
-    if (posted_.scene == scene && posted_.width == width && posted_.height == height &&
-        posted_.is_moving == is_moving)
-        return;
+    if (posted_.scene == scene && posted_.width == width && posted_.height == height) return;
     posted_ = {scene, width, height, is_moving, false};
     request_ = {std::move(scene), width, height, is_moving, request_.restart};
     has_request_ = true;
@@ -69,12 +69,9 @@ void RenderWorker::restart() {
     wake_.notify_all();
 }
 
-bool RenderWorker::take_frame(uint64_t serial, DisplayFrame& frame) {
+std::optional<DisplayImage> RenderWorker::take_image() {
     const std::lock_guard lock(mutex_);
-    if (frame_.serial == serial || frame_.rgb.empty()) return false;
-    std::swap(frame, frame_);
-    frame_.serial = frame.serial;  // what is left is no news
-    return true;
+    return std::exchange(image_, std::nullopt);
 }
 
 RenderStatus RenderWorker::status() const {
@@ -122,6 +119,7 @@ void RenderWorker::answer_picks() {
 }
 
 void RenderWorker::run(SessionOptions options) {
+    options.launch_seconds = kLaunchSeconds;
     // A device that fails is left for the host; the scene is not touched.
     for (;;) {
         try {
@@ -202,7 +200,8 @@ void RenderWorker::work(Session& session) {
 
         history.done = session.samples();
         history.target = target_;
-        history.budget_seconds = kStepSeconds;
+        history.budget_seconds =
+            session.backend_kind() == BackendKind::Cuda ? kCudaStepSeconds : kHostStepSeconds;
         int64_t samples = next_samples(history);
         {
             const std::lock_guard lock(mutex_);
@@ -282,19 +281,17 @@ void RenderWorker::run_tasks(Session& session) {
 
 void RenderWorker::publish(Session& session, bool is_preview) {
     const auto start = Clock::now();
-    std::vector<uint8_t> rgb = session.display();
+    DisplayImage image = session.display_image();
+    const uint64_t invalid_samples = session.counters().invalid_samples;
     const std::lock_guard lock(mutex_);
-    frame_.rgb = std::move(rgb);
-    frame_.width = std::max(1, current_.width / divider_);
-    frame_.height = std::max(1, current_.height / divider_);
-    frame_.samples = session.samples();
-    ++frame_.serial;
     status_.display_ms = seconds_since(start) * 1e3;
-    status_.samples = session.samples();
-    status_.width = frame_.width;
-    status_.height = frame_.height;
+    status_.scene = current_.scene;
+    status_.samples = image.samples;
+    status_.width = image.width;
+    status_.height = image.height;
     status_.memory_bytes = session.memory_bytes();
-    status_.invalid_samples = session.counters().invalid_samples;
+    status_.invalid_samples = invalid_samples;
+    image_ = std::move(image);
     status_.is_done = session.samples() >= target_;
     status_.is_preview = is_preview;
 }

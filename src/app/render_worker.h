@@ -19,16 +19,8 @@
 
 namespace tp {
 
-/// A finished picture: RGB bytes, row-major, top row first.
-struct DisplayFrame {
-    std::vector<uint8_t> rgb;
-    int width = 0;
-    int height = 0;
-    int64_t samples = 0;
-    uint64_t serial = 0;  // grows with each picture
-};
-
 struct RenderStatus {
+    std::shared_ptr<const Scene> scene;  // that the newest picture shows
     std::string backend;
     std::string error;  // of the renderer, for people; empty if all is well
     int64_t samples = 0;
@@ -61,8 +53,8 @@ public:
     void set_paused(bool paused);
     void restart();
 
-    /// The newest picture if it is newer than `serial`.
-    bool take_frame(uint64_t serial, DisplayFrame& frame);
+    /// The newest picture, once.
+    std::optional<DisplayImage> take_image();
     RenderStatus status() const;
 
     /// Runs `task` on the renderer's thread between two steps, once a picture at full resolution is
@@ -113,7 +105,7 @@ private:
     std::mutex arrays_mutex_;              // the session's arrays change, or are read
     const SceneArrays* arrays_ = nullptr;  // once a scene is there
     std::vector<std::function<void(const Session&, const Scene&)>> tasks_;
-    DisplayFrame frame_;
+    std::optional<DisplayImage> image_;
     RenderStatus status_;
     std::atomic<Session*> session_ = nullptr;
 

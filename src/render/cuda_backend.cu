@@ -6,6 +6,7 @@
 #include <teapath/device/cuda_buffer.cuh>
 #include <teapath/device/cuda_scene.cuh>
 #include <teapath/device/cuda_stream.cuh>
+#include <teapath/device/device_image.cuh>
 #include <teapath/render/backend.h>
 
 #include <algorithm>
@@ -16,6 +17,10 @@ namespace {
 // Bytes for the sums of one launch; more blocks a launch mean a shorter tail.
 constexpr size_t kLaunchBytes = size_t{256} << 20;
 constexpr int64_t kMaxBlocksPerLaunch = 16;
+// A window's film shrinks to an eighth in both directions while something moves, and grows again.
+constexpr size_t kFilmSlack = 64;
+// Groups of threads in a launch at least: fewer would leave multiprocessors without work.
+constexpr double kLeastGroups = 128;
 
 // Makes `device` the current one, or says why it cannot.
 void select_device(int device) {
@@ -38,9 +43,15 @@ std::string device_name(int device) {
 
 class CudaBackend final : public Backend {
 public:
-    explicit CudaBackend(int device) : name_(device_name(device)), invalid_(1) {
+    CudaBackend(int device, double launch_seconds)
+        : device_(device),
+          name_(device_name(device)),
+          launch_seconds_(launch_seconds),
+          invalid_(1) {
         invalid_.clear_to_zero(stream_.get());
     }
+
+    BackendKind kind() const override { return BackendKind::Cuda; }
 
     std::string name() const override { return name_; }
 
@@ -64,9 +75,9 @@ public:
         blocks_per_launch_ =
             std::clamp<int64_t>(static_cast<int64_t>(kLaunchBytes / (sizeof(BlockSum) * pixels_)),
                                 1, kMaxBlocksPerLaunch);
-        totals_.resize(pixels_);
-        open_.resize(pixels_);
-        feature_sums_.resize(setup.features ? pixels_ : 0);
+        totals_.resize(pixels_, kFilmSlack);
+        open_.resize(pixels_, kFilmSlack);
+        feature_sums_.resize(setup.features ? pixels_ : 0, kFilmSlack);
         totals_.clear_to_zero(stream_.get());
         open_.clear_to_zero(stream_.get());
         feature_sums_.clear_to_zero(stream_.get());
@@ -77,8 +88,7 @@ public:
         for (int64_t first = range.first; first < end && !cancel;) {
             const int64_t first_block = first / kBlockSamples;
             const int64_t last = std::min(end, (first_block + blocks_per_launch_) * kBlockSamples);
-            render_blocks(first, last);
-            stream_.wait();
+            if (!render_blocks(first, last, cancel)) return false;
             first = last;
         }
         if (cancel) return false;
@@ -117,9 +127,22 @@ public:
         return bytes;
     }
 
+    DisplayImage display_image(const DisplaySettings&) override {
+        const std::shared_ptr<DeviceImage> image = free_image();
+        image->shown.hold(stream_);
+        image->radiance.resize(pixels_, kFilmSlack);
+        launch_mean(totals_.data(), open_.data(), pixels_, samples_, image->radiance.data(),
+                    stream_.get());
+        image->filled.record(stream_);
+        return {setup_.width, setup_.height, samples_, {}, image};
+    }
+
     size_t memory_bytes() const override {
-        return scene_.bytes() + totals_.bytes() + open_.bytes() + feature_sums_.bytes() +
-               sums_.bytes();
+        size_t bytes = scene_.bytes() + totals_.allocated_bytes() + open_.allocated_bytes() +
+                       feature_sums_.allocated_bytes() + sums_.allocated_bytes();
+        for (const auto& image : images_)
+            bytes += image->radiance.allocated_bytes();
+        return bytes;
     }
 
     RenderCounters counters() const override {
@@ -131,29 +154,88 @@ public:
     }
 
 private:
-    void render_blocks(int64_t first, int64_t last) {
+    // A picture that nobody but this backend holds; there are as many as are shown at once, and
+    // one.
+    std::shared_ptr<DeviceImage> free_image() {
+        for (const auto& image : images_)
+            if (image.use_count() == 1) return image;
+        images_.push_back(std::make_shared<DeviceImage>());
+        images_.back()->device = device_;
+        return images_.back();
+    }
+
+    // Traces samples [first, last) of every pixel and folds them into the film; waits for it. False
+    // if cancelled on the way.
+    bool render_blocks(int64_t first, int64_t last, const std::atomic<bool>& cancel) {
         TraceLaunch launch;
         launch.first = first;
         launch.last = last;
         launch.first_block = first / kBlockSamples;
         launch.block_count =
             static_cast<int32_t>((last - 1) / kBlockSamples - launch.first_block + 1);
-        if (sums_.size() < size_t{pixels_} * static_cast<size_t>(launch.block_count))
-            sums_.resize(size_t{pixels_} * static_cast<size_t>(launch.block_count));
+        const size_t sums = size_t{pixels_} * static_cast<size_t>(launch.block_count);
+        if (sums_.size() < sums) sums_.resize(sums);
         launch.sums = sums_.data();
         launch.open = open_.data();
         launch.invalid = invalid_.data();
-        launch_trace(features_, params_, launch, stream_.get());
+        if (!trace(launch, cancel)) return false;
         launch_fold(launch, pixels_, totals_.data(), open_.data(), stream_.get());
         if (setup_.features)
             launch_features(features_, params_, first, last, feature_sums_.data(), stream_.get());
+        stream_.wait();
+        return true;
     }
 
+    // The whole picture in launches that each keep the device for about launch_seconds_. Two are
+    // under way at a time, so that it has no pause; each measures the rate for the next.
+    bool trace(TraceLaunch launch, const std::atomic<bool>& cancel) {
+        const uint32_t groups = groups_for(setup_.width, setup_.height);
+        const double work = static_cast<double>(launch.last - launch.first);  // of one group
+        for (uint32_t n = 0, first = 0; first < groups; ++n) {
+            LaunchTime& time = times_[n % 2];
+            if (n >= 2) measure(time);
+            if (cancel) break;
+            launch.first_group = first;
+            launch.group_count = groups - first;
+            if (launch_seconds_ > 0) {
+                const double fitting = launch_seconds_ * groups_per_second_ / work;
+                launch.group_count = static_cast<uint32_t>(std::min(
+                    static_cast<double>(launch.group_count), std::max(fitting, kLeastGroups)));
+            }
+            time.work = work * launch.group_count;
+            time.start.record(stream_);
+            launch_trace(features_, params_, launch, stream_.get());
+            time.end.record(stream_);
+            first += launch.group_count;
+            if (first >= groups) measure(time);
+        }
+        if (cancel) stream_.wait();
+        return !cancel;
+    }
+
+    // A launch on the device: when it began and ended, and samples of a group in it.
+    struct LaunchTime {
+        Event start, end;
+        double work = 0;
+    };
+
+    void measure(const LaunchTime& time) {
+        if (launch_seconds_ <= 0) return;
+        time.end.wait();
+        const double seconds = static_cast<double>(time.end.milliseconds_since(time.start)) * 1e-3;
+        if (seconds > 1e-5) groups_per_second_ = time.work / seconds;
+    }
+
+    int device_;
     std::string name_;
     Stream stream_;
+    std::vector<std::shared_ptr<DeviceImage>> images_;  // given out by display_image
     CudaScene scene_;
     LaunchParams params_;
     FilmSetup setup_;
+    double launch_seconds_;
+    double groups_per_second_ = 4e5;  // samples of kTraceThreads pixels, as last measured
+    LaunchTime times_[2];
     uint32_t features_ = 0;
     uint32_t pixels_ = 0;
     int64_t blocks_per_launch_ = 1;
@@ -170,9 +252,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Backend> make_cuda_backend(int device) {
+std::unique_ptr<Backend> make_cuda_backend(int device, double launch_seconds) {
     select_device(device);
-    return std::make_unique<CudaBackend>(device);
+    return std::make_unique<CudaBackend>(device, launch_seconds);
 }
 
 }  // namespace tp

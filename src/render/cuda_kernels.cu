@@ -16,8 +16,8 @@ __global__ void __launch_bounds__(kTraceThreads)
     trace_kernel(const __grid_constant__ LaunchParams params,
                  const __grid_constant__ TraceLaunch launch) {
     uint32_t x, y;
-    if (!pixel_of_thread(blockIdx.x * kTraceThreads + threadIdx.x, params.width, params.height, x,
-                         y))
+    if (!pixel_of_thread((launch.first_group + blockIdx.x) * kTraceThreads + threadIdx.x,
+                         params.width, params.height, x, y))
         return;
     const int64_t block = launch.first_block + blockIdx.y;
     const int64_t block_start = block * kBlockSamples, block_end = block_start + kBlockSamples;
@@ -84,6 +84,14 @@ __global__ void display_kernel(const Total* totals, const BlockSum* open, uint32
     rgb[pixel] = display_color(mean_radiance(totals[pixel], open[pixel], samples), display);
 }
 
+__global__ void mean_kernel(const Total* totals, const BlockSum* open, uint32_t pixels,
+                            int64_t samples, Real4* mean) {
+    const uint32_t pixel = blockIdx.x * kFilmThreads + threadIdx.x;
+    if (pixel >= pixels) return;
+    const Vec3 radiance = mean_radiance(totals[pixel], open[pixel], samples);
+    mean[pixel] = {radiance.x, radiance.y, radiance.z, 1};
+}
+
 unsigned groups(uint32_t threads, int size) {
     return (threads + static_cast<uint32_t>(size) - 1) / static_cast<uint32_t>(size);
 }
@@ -92,8 +100,7 @@ unsigned groups(uint32_t threads, int size) {
 
 void launch_trace(uint32_t features, const LaunchParams& params, const TraceLaunch& launch,
                   cudaStream_t stream) {
-    const dim3 grid(groups(threads_for(params.width, params.height), kTraceThreads),
-                    static_cast<unsigned>(launch.block_count));
+    const dim3 grid(launch.group_count, static_cast<unsigned>(launch.block_count));
     with_variant(features, [&]<uint32_t kFeatures>() {
         trace_kernel<kFeatures><<<grid, kTraceThreads, 0, stream>>>(params, launch);
     });
@@ -102,7 +109,7 @@ void launch_trace(uint32_t features, const LaunchParams& params, const TraceLaun
 
 void launch_features(uint32_t features, const LaunchParams& params, int64_t first, int64_t last,
                      FeatureSum* sums, cudaStream_t stream) {
-    const unsigned grid = groups(threads_for(params.width, params.height), kTraceThreads);
+    const unsigned grid = groups_for(params.width, params.height);
     with_variant(features, [&]<uint32_t kFeatures>() {
         features_kernel<kFeatures><<<grid, kTraceThreads, 0, stream>>>(params, first, last, sums);
     });
@@ -111,7 +118,7 @@ void launch_features(uint32_t features, const LaunchParams& params, int64_t firs
 
 void launch_hittables(uint32_t features, const LaunchParams& params, uint32_t* hittables,
                       cudaStream_t stream) {
-    const unsigned grid = groups(threads_for(params.width, params.height), kTraceThreads);
+    const unsigned grid = groups_for(params.width, params.height);
     with_variant(features, [&]<uint32_t kFeatures>() {
         hittables_kernel<kFeatures><<<grid, kTraceThreads, 0, stream>>>(params, hittables);
     });
@@ -129,6 +136,13 @@ void launch_display(const Total* totals, const BlockSum* open, uint32_t pixels, 
                     const DisplaySettings& display, Rgb8* rgb, cudaStream_t stream) {
     display_kernel<<<groups(pixels, kFilmThreads), kFilmThreads, 0, stream>>>(
         totals, open, pixels, samples, display, rgb);
+    check(cudaGetLastError());
+}
+
+void launch_mean(const Total* totals, const BlockSum* open, uint32_t pixels, int64_t samples,
+                 Real4* mean, cudaStream_t stream) {
+    mean_kernel<<<groups(pixels, kFilmThreads), kFilmThreads, 0, stream>>>(totals, open, pixels,
+                                                                           samples, mean);
     check(cudaGetLastError());
 }
 

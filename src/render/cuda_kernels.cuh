@@ -13,12 +13,14 @@ namespace tp {
 inline constexpr int kTraceThreads = 128;
 
 /// One launch of the path tracer: blocks [first_block, first_block + block_count) of the samples
-/// [first, last) of every pixel.
+/// [first, last) of the pixels of some groups of threads.
 struct TraceLaunch {
     int64_t first = 0;
     int64_t last = 0;
     int64_t first_block = 0;
     int32_t block_count = 0;
+    uint32_t first_group = 0;  // of kTraceThreads threads each
+    uint32_t group_count = 0;
     BlockSum* sums = nullptr;        // block_count planes
     const BlockSum* open = nullptr;  // what the first block holds already
     unsigned long long* invalid = nullptr;
@@ -33,9 +35,11 @@ TP_HD bool pixel_of_thread(uint32_t i, int32_t width, int32_t height, uint32_t& 
     return x < static_cast<uint32_t>(width) && y < static_cast<uint32_t>(height);
 }
 
-/// Threads that pixel_of_thread needs for the whole picture.
-inline uint32_t threads_for(int32_t width, int32_t height) {
-    return static_cast<uint32_t>((width + 7) / 8) * static_cast<uint32_t>((height + 3) / 4) * 32;
+/// Groups of kTraceThreads threads that pixel_of_thread needs for the whole picture.
+inline uint32_t groups_for(int32_t width, int32_t height) {
+    const uint32_t threads =
+        static_cast<uint32_t>((width + 7) / 8) * static_cast<uint32_t>((height + 3) / 4) * 32;
+    return (threads + kTraceThreads - 1) / kTraceThreads;
 }
 
 /// Launches the variant for the scene's features.
@@ -53,5 +57,9 @@ void launch_fold(const TraceLaunch& launch, uint32_t pixels, Total* totals, Bloc
 /// RGB bytes of the film.
 void launch_display(const Total* totals, const BlockSum* open, uint32_t pixels, int64_t samples,
                     const DisplaySettings& display, Rgb8* rgb, cudaStream_t stream);
+
+/// The film's mean radiance.
+void launch_mean(const Total* totals, const BlockSum* open, uint32_t pixels, int64_t samples,
+                 Real4* mean, cudaStream_t stream);
 
 }  // namespace tp

@@ -38,6 +38,8 @@ class HostBackend final : public Backend {
 public:
     explicit HostBackend(int threads) : pool_(threads) {}
 
+    BackendKind kind() const override { return BackendKind::Host; }
+
     std::string name() const override {
         const int threads = pool_.thread_count();
         return fmt::format("host, {} thread{}", threads, threads == 1 ? "" : "s");
@@ -101,19 +103,16 @@ public:
     }
 
     std::vector<uint8_t> read_display(const DisplaySettings& display) override {
-        std::vector<uint8_t> rgb(3 * totals_.size());
-        pool_.for_each(setup_.height, [&](int64_t y) {
-            for (int x = 0; x < setup_.width; ++x) {
-                const size_t i = static_cast<size_t>(y) * static_cast<size_t>(setup_.width) +
-                                 static_cast<size_t>(x);
-                const Rgb8 color =
-                    display_color(mean_radiance(totals_[i], open_[i], samples_), display);
-                rgb[3 * i] = color.r;
-                rgb[3 * i + 1] = color.g;
-                rgb[3 * i + 2] = color.b;
-            }
-        });
+        std::vector<uint8_t> rgb(sizeof(Rgb8) * totals_.size());
+        write_display(display, reinterpret_cast<Rgb8*>(rgb.data()), [](Rgb8 c) { return c; });
         return rgb;
+    }
+
+    DisplayImage display_image(const DisplaySettings& display) override {
+        DisplayImage image{setup_.width, setup_.height, samples_, {}, nullptr};
+        image.rgba.resize(sizeof(Rgba8) * totals_.size());
+        write_display(display, reinterpret_cast<Rgba8*>(image.rgba.data()), opaque);
+        return image;
     }
 
     size_t memory_bytes() const override {
@@ -164,6 +163,18 @@ private:
             first = last;
         }
         return invalid;
+    }
+
+    // The display pass: row by row into `pixels`, in the form that `pack` gives a colour.
+    template <class Pixel, class Pack>
+    void write_display(const DisplaySettings& display, Pixel* pixels, Pack&& pack) {
+        const auto width = static_cast<size_t>(setup_.width);
+        pool_.for_each(setup_.height, [&](int64_t y) {
+            const size_t row = static_cast<size_t>(y) * width;
+            for (size_t i = row; i < row + width; ++i)
+                pixels[i] =
+                    pack(display_color(mean_radiance(totals_[i], open_[i], samples_), display));
+        });
     }
 
     std::vector<uint32_t> hittables_at_centres() {

@@ -6,7 +6,7 @@
 
 namespace tp {
 
-std::unique_ptr<Backend> make_cuda_backend(int) {
+std::unique_ptr<Backend> make_cuda_backend(int, double) {
     throw Error(ErrorKind::Device, "this build has no CUDA backend", "",
                 "build with the CUDA Toolkit, or render with --backend host");
 }

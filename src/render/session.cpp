@@ -9,9 +9,10 @@ namespace {
 
 std::unique_ptr<Backend> make_backend(const SessionOptions& options) {
     if (options.backend == BackendKind::Host) return make_host_backend(options.threads);
-    if (options.backend == BackendKind::Cuda) return make_cuda_backend(options.device);
+    if (options.backend == BackendKind::Cuda)
+        return make_cuda_backend(options.device, options.launch_seconds);
     try {
-        return make_cuda_backend(options.device);
+        return make_cuda_backend(options.device, options.launch_seconds);
     } catch (const Error& error) {
         log_info("no CUDA device, rendering on the host: {}", error.what());
         return make_host_backend(options.threads);
@@ -62,6 +63,10 @@ FilmImage Session::film() const {
 
 std::vector<uint8_t> Session::display() const {
     return backend_->read_display(scene_->display);
+}
+
+DisplayImage Session::display_image() const {
+    return backend_->display_image(scene_->display);
 }
 
 }  // namespace tp

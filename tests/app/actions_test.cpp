@@ -4,7 +4,6 @@
 #include "window_test.h"
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include <set>
 #include <string>
@@ -56,13 +55,9 @@ TEST_CASE("actions: each one is in its menu and runs from there") {
             ctx->Yield();
             const PanelContext context = t.context();
             const bool enabled = is_enabled(a, context);
-            ctx->SetRef("##MainMenuBar");
-            ctx->ItemClick(fmt::format("##MenuBar/{}", a.menu).c_str());
-            ctx->SetRef("//###Menu_00");
-            const std::string item = fmt::format("###{}", a.id);
-            CHECK(ctx->ItemExists(item.c_str()));
             if (enabled) {
-                ctx->ItemClick(item.c_str());
+                t.click_menu(ctx, a);
+                REQUIRE_FALSE(ctx->IsError());
                 CHECK(std::string(t.app->ui.last_action) == std::string(a.id));
                 ran.insert(a.id);
             }

@@ -1,5 +1,4 @@
 // The camera under keys and mouse: speed, focus, typing, looking, picking.
-#include "actions.h"
 #include "window_test.h"
 
 #include <GLFW/glfw3.h>

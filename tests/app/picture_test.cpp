@@ -55,7 +55,8 @@ TEST_CASE("picture: the window's pixels are those of teapath render, exactly") {
         t.app->document.save(file);
         REQUIRE(t.frames_until(
             [&] {
-                return t.app->status.is_done && !t.app->status.is_preview &&
+                return t.app->status.scene == t.app->document.snapshot() && t.app->status.is_done &&
+                       !t.app->status.is_preview &&
                        t.app->texture.width() == t.app->ui.viewport.width;
             },
             60));

@@ -10,6 +10,7 @@
 #include <teapath/io/scene_file.h>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <exception>
@@ -99,6 +100,9 @@ std::filesystem::path write_scene(const Scene& scene, const std::string& name) {
 }
 
 WindowTest::WindowTest(const Scene& scene, int width, int height) {
+    // Nothing is left of the test before: no settings, no layout, no recovery file.
+    for (const auto& entry : std::filesystem::directory_iterator(window_test_options().folder))
+        std::filesystem::remove_all(entry.path());
     // A debug context reports every error by itself.
     glfwInit();
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
@@ -127,16 +131,24 @@ WindowTest::WindowTest(const Scene& scene, int width, int height) {
 }
 
 WindowTest::~WindowTest() {
-    ImGuiTestEngine_Stop(engine_);
-    app.reset();
-    ImGuiTestEngine_DestroyContext(engine_);
+    close();
     CHECK_MESSAGE(gl_errors == 0, std::string(gl_error_text));
+}
+
+double WindowTest::close() {
+    if (!app) return 0;
+    ImGuiTestEngine_Stop(engine_);
+    const auto start = Clock::now();
+    app.reset();
+    const std::chrono::duration<double> seconds = Clock::now() - start;
+    ImGuiTestEngine_DestroyContext(engine_);
+    return seconds.count();
 }
 
 void WindowTest::draw_one_frame() {
     // Software GL spends nine tenths of a frame on pixels that no test looks at. Without them every
     // call of OpenGL is made and checked all the same.
-    const bool with_pixels = draw_pixels || ++frame_count_ % 64 == 0;
+    const bool with_pixels = ++frame_count_ % 64 == 0;
     (with_pixels ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
     app->draw_frame(0);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
@@ -202,6 +214,11 @@ bool WindowTest::yield_until(ImGuiTestContext* ctx, const std::function<bool()>&
     return true;
 }
 
+void WindowTest::click_menu(ImGuiTestContext* ctx, const Action& action) {
+    ctx->SetRef("##MainMenuBar");
+    ctx->MenuClick(fmt::format("{}/###{}", action.menu, action.id).c_str());
+}
+
 GLFWwindow* WindowTest::glfw() const {
     return glfwGetCurrentContext();
 }
@@ -230,13 +247,19 @@ void WindowTest::resize(int width, int height) {
     glfwSetWindowSize(glfw(), width, height);
 }
 
+std::vector<uint8_t> WindowTest::draw_and_read(int& width, int& height) {
+    glDisable(GL_RASTERIZER_DISCARD);
+    app->draw_frame(0);
+    std::vector<uint8_t> pixels = app->window.read_pixels(width, height);
+    app->window.show();
+    ImGuiTestEngine_PostSwap(engine_);
+    return pixels;
+}
+
 void WindowTest::screenshot(const std::string& name) {
     if (window_test_options().screenshots.empty()) return;
     Picture picture;
-    glDisable(GL_RASTERIZER_DISCARD);
-    app->draw_frame(0);
-    picture.display = app->window.read_pixels(picture.width, picture.height);
-    app->window.show();
+    picture.display = draw_and_read(picture.width, picture.height);
     write_picture(window_test_options().screenshots / (name + ".png"), picture);
 }
 

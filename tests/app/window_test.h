@@ -3,6 +3,7 @@
 // events of the system. Every frame is watched for OpenGL errors.
 #pragma once
 
+#include "actions.h"
 #include "application.h"
 
 #include <imgui.h>
@@ -50,6 +51,9 @@ public:
     /// Calls a function between two frames on the thread that has GL; for use inside of `run`.
     void between_frames(ImGuiTestContext* ctx, const std::function<void()>& work);
 
+    /// Ends the program; the seconds that this took.
+    double close();
+
     /// Draws frames outside of `run`, with the events of the system.
     void frames(int count = 1);
     /// Draws frames until `done` holds; false if it does not within `seconds`.
@@ -57,6 +61,9 @@ public:
     /// The same inside of `run`.
     static bool yield_until(ImGuiTestContext* ctx, const std::function<bool()>& done,
                             double seconds = 20);
+
+    /// Clicks the menu item of an action, in a submenu too.
+    static void click_menu(ImGuiTestContext* ctx, const Action& action);
 
     /// Events of the system, as GLFW reports them.
     void move_cursor(double x, double y);
@@ -66,6 +73,8 @@ public:
     void resize(int width, int height);
     GLFWwindow* glfw() const;
 
+    /// Draws a frame with its pixels and returns them: RGB, top row first.
+    std::vector<uint8_t> draw_and_read(int& width, int& height);
     /// Saves a picture of the window, if pictures are wanted.
     void screenshot(const std::string& name);
     /// Textures that OpenGL holds now.
@@ -77,9 +86,8 @@ public:
     ImGuiTestEngineIO& engine_io() { return ImGuiTestEngine_GetIO(engine_); }
 
     std::unique_ptr<App> app;
-    bool draw_pixels = false;  // of each frame, not of every 64th
-    bool was_closed = false;   // the program would have ended
-    int gl_errors = 0;         // since the start
+    bool was_closed = false;  // the program would have ended
+    int gl_errors = 0;        // since the start
     std::string gl_error_text;
 
 private:

@@ -21,6 +21,9 @@ struct AppOptions {
 /// window can be opened.
 int run_app(const AppOptions& options);
 
+/// The table of keys as shipped, as a Markdown page: docs/keys.md.
+std::string keys_page();
+
 /// True if a display is there to open a window on.
 bool has_display();
 

@@ -16,7 +16,7 @@ public:
     void upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream);
 
     const SceneView& view() const { return view_; }
-    size_t bytes() const { return memory_.bytes(); }
+    size_t bytes() const { return memory_.allocated_bytes(); }
 
 private:
     SceneView view_;

@@ -7,9 +7,17 @@
 
 namespace tp {
 
+/// High: its kernels start before those of other streams that wait for a multiprocessor.
+enum class StreamPriority { Normal, High };
+
 class Stream {
 public:
-    Stream() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
+    explicit Stream(StreamPriority priority = StreamPriority::Normal) {
+        int lowest = 0, highest = 0;
+        check(cudaDeviceGetStreamPriorityRange(&lowest, &highest));
+        check(cudaStreamCreateWithPriority(&stream_, cudaStreamNonBlocking,
+                                           priority == StreamPriority::High ? highest : lowest));
+    }
     ~Stream() {
         if (stream_) cudaStreamDestroy(stream_);
     }
@@ -41,6 +49,14 @@ public:
 
     void record(const Stream& stream) { check(cudaEventRecord(event_, stream.get())); }
     void wait() const { check(cudaEventSynchronize(event_)); }
+    /// Later work of `stream` waits until this event was reached; the caller does not.
+    void hold(const Stream& stream) const { check(cudaStreamWaitEvent(stream.get(), event_, 0)); }
+    /// True once it was reached, or never recorded.
+    bool is_reached() const {
+        const cudaError_t state = cudaEventQuery(event_);
+        if (state != cudaErrorNotReady) check(state);
+        return state == cudaSuccess;
+    }
 
     /// Milliseconds from `start` to this event; both have been reached.
     float milliseconds_since(const Event& start) const {

@@ -44,7 +44,7 @@ enum class ScatterRule : uint8_t { Cosine, Hemisphere, CosineCubed };
 
 enum class SamplerKind : uint8_t { Tea, Sobol };
 
-/// The curve from linear radiance to display value.
-enum class ToneCurve : uint8_t { Srgb, Gamma2, Linear };
+/// The curve from linear radiance to display value; kernel/tone_curves.h has the sources.
+enum class ToneCurve : uint8_t { Srgb, Gamma2, Linear, Aces, Agx, Neutral };
 
 }  // namespace tp

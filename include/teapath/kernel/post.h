@@ -3,17 +3,26 @@
 
 #include <teapath/core/color.h>
 #include <teapath/kernel/settings.h>
+#include <teapath/kernel/tone_curves.h>
 
 namespace tp {
 
-/// A display value in [0, 1] for `x` after exposure; NaN gives 0.
-TP_HD float tone_map(float x, ToneCurve curve) {
+/// A display value in [0, 1] of each channel for a colour after exposure; NaN gives 0.
+TP_HD Vec3 tone_map(Vec3 c, ToneCurve curve) {
+    const auto unit = [](Real x) { return fminf(fmaxf(static_cast<float>(x), 0.0f), 1.0f); };
     switch (curve) {
-        case ToneCurve::Srgb: return srgb_from_linear(x);
-        case ToneCurve::Gamma2: return ::sqrtf(fminf(fmaxf(x, 0.0f), 1.0f));
-        case ToneCurve::Linear: break;
+        case ToneCurve::Linear: return {unit(c.x), unit(c.y), unit(c.z)};
+        case ToneCurve::Gamma2: return {sqrtf(unit(c.x)), sqrtf(unit(c.y)), sqrtf(unit(c.z))};
+        case ToneCurve::Aces:
+            c = {aces_curve(static_cast<float>(c.x)), aces_curve(static_cast<float>(c.y)),
+                 aces_curve(static_cast<float>(c.z))};
+            break;
+        case ToneCurve::Agx: c = agx_curve(c); break;
+        case ToneCurve::Neutral: c = neutral_curve(c); break;
+        case ToneCurve::Srgb: break;
     }
-    return fminf(fmaxf(x, 0.0f), 1.0f);
+    return {srgb_from_linear(static_cast<float>(c.x)), srgb_from_linear(static_cast<float>(c.y)),
+            srgb_from_linear(static_cast<float>(c.z))};
 }
 
 struct Rgb8 {
@@ -22,12 +31,19 @@ struct Rgb8 {
 
 /// Exposure in stops, the tone curve, then 8 bits rounded to nearest.
 TP_HD Rgb8 display_color(Vec3 radiance, const DisplaySettings& display) {
-    const float scale = exp2f(display.exposure);
-    const auto code = [&](Real x) {
-        return static_cast<uint8_t>(
-            tone_map(static_cast<float>(x) * scale, display.curve) * 255.0f + 0.5f);
+    const Vec3 c = tone_map(radiance * static_cast<Real>(exp2f(display.exposure)), display.curve);
+    const auto code = [](Real x) {
+        return static_cast<uint8_t>(static_cast<float>(x) * 255.0f + 0.5f);
     };
-    return {code(radiance.x), code(radiance.y), code(radiance.z)};
+    return {code(c.x), code(c.y), code(c.z)};
+}
+
+/// Four bytes a pixel, as a GL texture of RGBA8 holds them; opaque.
+struct alignas(4) Rgba8 {
+    uint8_t r, g, b, a;
+};
+TP_HD Rgba8 opaque(Rgb8 c) {
+    return {c.r, c.g, c.b, 255};
 }
 
 }  // namespace tp

@@ -4,6 +4,7 @@
 
 #include <teapath/device/scene_arrays.h>
 #include <teapath/kernel/settings.h>
+#include <teapath/render/display_image.h>
 #include <teapath/render/film_image.h>
 
 #include <atomic>
@@ -39,6 +40,8 @@ class Backend {
 public:
     virtual ~Backend() = default;
 
+    virtual BackendKind kind() const = 0;
+
     /// For people: "host, 8 threads" or "NVIDIA H200".
     virtual std::string name() const = 0;
 
@@ -58,6 +61,10 @@ public:
     /// The film through exposure and tone curve: RGB bytes, row-major, top row first.
     virtual std::vector<uint8_t> read_display(const DisplaySettings& display) = 0;
 
+    /// The same picture for the window: RGBA bytes from the host, radiance in device memory from a
+    /// device. Later work does not change it.
+    virtual DisplayImage display_image(const DisplaySettings& display) = 0;
+
     /// Bytes that scene and film take on the device.
     virtual size_t memory_bytes() const = 0;
     virtual RenderCounters counters() const = 0;
@@ -66,7 +73,9 @@ public:
 /// `threads` counts the caller; 0 = all cores that the process may use.
 std::unique_ptr<Backend> make_host_backend(int threads);
 
-/// Throws Error(Device) where this build, the driver or the device is missing.
-std::unique_ptr<Backend> make_cuda_backend(int device);
+/// Throws Error(Device) where this build, the driver or the device is missing. `launch_seconds` is
+/// how long one launch may keep the device from others, such as the window; 0 = as long as it
+/// takes.
+std::unique_ptr<Backend> make_cuda_backend(int device, double launch_seconds = 0);
 
 }  // namespace tp

@@ -28,6 +28,7 @@ struct SessionOptions {
     int device = 0;                           // CUDA device number
     int threads = 0;                          // of the host backend; 0 = all cores
     bool features = false;                    // keep the feature planes of FilmImage
+    double launch_seconds = 0;  // that a CUDA launch may take, so that a window can draw; 0 = any
 };
 
 class Session {
@@ -53,8 +54,10 @@ public:
     int64_t samples() const { return samples_; }  // per pixel, in the film
     FilmImage film() const;
     std::vector<uint8_t> display() const;  // RGB bytes after the scene's display settings
+    DisplayImage display_image() const;    // for a window
 
     std::string backend_name() const { return backend_->name(); }
+    BackendKind backend_kind() const { return backend_->kind(); }  // Cuda or Host
     RenderCounters counters() const { return backend_->counters(); }
     size_t memory_bytes() const { return backend_->memory_bytes(); }
     const SceneArrays& arrays() const { return arrays_; }

@@ -107,7 +107,10 @@ struct EnumTable<ToneCurve> {
     using E = ToneCurve;
     static constexpr std::array rows = {EnumRow<E>{E::Srgb, "srgb", "sRGB"},
                                         EnumRow<E>{E::Gamma2, "gamma2", "Gamma 2 (books)"},
-                                        EnumRow<E>{E::Linear, "linear", "Linear"}};
+                                        EnumRow<E>{E::Linear, "linear", "Linear"},
+                                        EnumRow<E>{E::Aces, "aces", "ACES (fitted)"},
+                                        EnumRow<E>{E::Agx, "agx", "AgX"},
+                                        EnumRow<E>{E::Neutral, "neutral", "Khronos PBR Neutral"}};
 };
 
 }  // namespace tp

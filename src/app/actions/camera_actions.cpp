@@ -40,11 +40,14 @@ void reset_camera(PanelContext& c) {
     });
 }
 
-Action held(const char* id, const char* label, int key, int other = 0) {
+constexpr const char* kHeldHelp = "While the key is down, in the viewport";
+
+Action held(const char* id, const char* label, int key, int other = 0,
+            const char* help = kHeldHelp) {
     return {.id = id,
             .menu = "",
             .label = label,
-            .help = "While the key is down, in the viewport",
+            .help = help,
             .keys = {key, other},
             .scope = ActionScope::Held};
 }
@@ -100,8 +103,10 @@ std::vector<Action> camera_actions() {
         held("fly.left", "Fly left", ImGuiKey_A),
         held("fly.right", "Fly right", ImGuiKey_D),
         held("fly.up", "Fly up", ImGuiKey_E, ImGuiKey_Space),
-        held("fly.down", "Fly down", ImGuiKey_Q, ImGuiKey_LeftCtrl),
-        held("fly.faster", "Fly faster", ImGuiKey_LeftShift),
+        held("fly.down", "Fly down", ImGuiKey_Q, ImGuiKey_LeftCtrl,
+             "Left Ctrl alone after 0.15 s, at once while the right button is held"),
+        held("fly.faster", "Fly faster", ImGuiKey_LeftShift, 0,
+             "Four times as fast while it is down"),
         {.id = "camera.frame_selection",
          .menu = "View",
          .label = "Frame selection",

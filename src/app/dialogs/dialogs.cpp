@@ -73,6 +73,7 @@ void draw_dialogs(PanelContext& c) {
     draw_export_window(c);
     draw_save_layout_window(c);
     draw_keys_window(c);
+    draw_settings_window(c);
 }
 
 }  // namespace tp

@@ -50,6 +50,8 @@ void draw_save_layout_window(PanelContext& c);
 /// The table of keys, from the action table.
 void draw_keys_window(PanelContext& c);
 
+/// The user's settings.
+void draw_settings_window(PanelContext& c);
 /// Shows a text until it is closed; for errors that are longer than a notice.
 void show_message(PanelContext& c, const std::string& title, const std::string& text);
 

@@ -21,21 +21,9 @@ void add_shape(PanelContext& c, const ShapeKind& kind) {
     c.document.select(made);
 }
 
-void tool_button(PanelContext& c, const char* icon, Tool tool, const char* help) {
-    Tool& current = c.ui.viewport.tool;
-    const bool active = current == tool;
-    if (active) ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.91f, 0.64f, 0.24f, 1));
-    if (ImGui::MenuItem(icon)) current = tool;
-    if (active) ImGui::PopStyleColor();
-    ui::tooltip(help);
-}
-
 void draw_tools(PanelContext& c) {
     ImGui::TextDisabled("|");
-    tool_button(c, ICON_FA_ARROW_POINTER "##select", Tool::Select, "Select");
-    tool_button(c, ICON_FA_UP_DOWN_LEFT_RIGHT "##move", Tool::Move, "Move the selection");
-    tool_button(c, ICON_FA_ROTATE "##rotate", Tool::Rotate, "Rotate the selection");
-    tool_button(c, ICON_FA_MAXIMIZE "##scale", Tool::Scale, "Scale the selection");
+    draw_viewport_tools(c);
     ImGui::TextDisabled("|");
     if (ImGui::MenuItem(c.ui.paused ? ICON_FA_PLAY "##pause" : ICON_FA_PAUSE "##pause"))
         run_action("render.pause", c);

@@ -52,7 +52,7 @@ void draw_metrics(PanelContext& c) {
             {"Frames", fmt::format("{:.0f} fps, {:.1f} ms", ImGui::GetIO().Framerate, frame_ms)},
             {"Trace", fmt::format("{:.1f} ms a step", s.step_ms)},
             {"Display", fmt::format("{:.1f} ms tone curve, {:.1f} ms to the texture", s.display_ms,
-                                    c.ui.metrics.upload_ms)},
+                                    c.ui.metrics.show_ms)},
             {"Last change", fmt::format("{:.1f} ms", s.sync_ms)},
             {"Samples", fmt::format("{} of {}, {:.1f} M a second", s.samples,
                                     c.document.scene().render.samples, s.samples_per_second / 1e6)},

@@ -22,6 +22,8 @@ void draw_open_panels(PanelContext& c);
 
 void draw_menu_bar(PanelContext& c);
 void draw_viewport(PanelContext& c);
+/// The tools of the viewport, as items of a menu bar.
+void draw_viewport_tools(PanelContext& c);
 void draw_options(PanelContext& c);
 void draw_scene_tree(PanelContext& c);
 void draw_inspector(PanelContext& c);

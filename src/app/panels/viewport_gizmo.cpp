@@ -18,6 +18,7 @@
 namespace tp {
 namespace {
 
+constexpr float kGizmoSize = 0.14f;  // of the picture
 constexpr double kRadians = 3.14159265358979323846 / 180;
 
 GizmoKind kind_of(Tool tool) {
@@ -57,6 +58,7 @@ bool manipulate(const ViewportState& v, const ViewportFrame& frame, const Camera
     // Ctrl turns snapping round for as long as it is held.
     const bool snaps = v.snap != ImGui::GetIO().KeyCtrl;
     ImGuizmo::SetDrawlist();
+    ImGuizmo::SetGizmoSizeClipSpace(kGizmoSize);
     ImGuizmo::SetRect(
         static_cast<float>(frame.picture.low.x), static_cast<float>(frame.picture.low.y),
         static_cast<float>(frame.picture.size.x), static_cast<float>(frame.picture.size.y));

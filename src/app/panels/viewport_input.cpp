@@ -61,6 +61,7 @@ NavigationInput read_input(const PanelContext& c, bool is_hovered) {
     in.is_typing = io.WantTextInput || is_popup_open() || !c.ui.dialogs.key_to_set.empty();
     in.alt = io.KeyAlt;
     in.ctrl = io.KeyCtrl;
+    in.shift = io.KeyShift;
     in.left = button(ImGuiMouseButton_Left);
     in.middle = button(ImGuiMouseButton_Middle);
     in.right = button(ImGuiMouseButton_Right);
@@ -141,10 +142,10 @@ void handle_click(PanelContext& c, const ViewportFrame& frame, bool is_hovered) 
 }
 
 // While a drag has the pointer, nothing else in the window reacts to it.
-void hold_pointer(PanelContext& c, bool was_looking) {
+void hold_pointer(PanelContext& c) {
     ViewportState& v = c.ui.viewport;
     const bool looking = v.navigation.drag == Drag::Look;
-    if (looking != was_looking) c.window.capture_cursor(looking);
+    if (looking != v.is_looking) c.window.capture_cursor(looking);
     v.is_looking = looking;
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     const ImGuiID id = window->GetID("drag");
@@ -175,7 +176,6 @@ void move_picture(PanelContext& c, const ViewportFrame& frame, const NavigationR
 bool handle_viewport_input(PanelContext& c, const ViewportFrame& frame, bool is_over_gizmo) {
     ViewportState& v = c.ui.viewport;
     const bool is_hovered = frame.is_hovered && !is_over_gizmo;
-    const bool was_looking = v.navigation.drag == Drag::Look;
     const Camera camera = active_camera(c.document.scene());
     if (v.fly_speed <= 0) v.fly_speed = natural_speed(c.document.scene());
 
@@ -192,7 +192,7 @@ bool handle_viewport_input(PanelContext& c, const ViewportFrame& frame, bool is_
         v.fly_speed = result.fly_speed / factor;
         v.speed_shown_until = ImGui::GetTime() + kSpeedShownSeconds;
     }
-    hold_pointer(c, was_looking);
+    hold_pointer(c);
     handle_click(c, frame, is_hovered);
     move_picture(c, frame, result);
     if (result.camera == camera) return false;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr ImU32 kSurround = IM_COL32(46, 46, 46, 255);  // about 18 % of the light of white
 
+constexpr int kFramesToSettle = 4;
+
 // The size that the picture is rendered at.
 void choose_size(PanelContext& c, const Double2& panel) {
     ViewportState& v = c.ui.viewport;
@@ -38,9 +40,13 @@ void draw_picture(PanelContext& c, const ViewportFrame& frame) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(im(frame.panel.low), im(frame.panel.low + frame.panel.size), kSurround);
     if (!c.texture.id()) return;
-    c.texture.set_smooth(c.ui.preferences.smooth_picture && frame.zoom < kPixelGridZoom);
+    // ImGui's own sampler counts, not the texture's.
+    const ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+    const bool nearest = !c.ui.preferences.smooth_picture || frame.zoom >= kPixelGridZoom;
+    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerNearest, nullptr);
     draw->AddImage(static_cast<ImTextureID>(c.texture.id()), im(frame.picture.low),
                    im(frame.picture.low + frame.picture.size));
+    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerLinear, nullptr);
 }
 
 void draw_contents(PanelContext& c, const PlaceRect& panel) {
@@ -56,8 +62,10 @@ void draw_contents(PanelContext& c, const PlaceRect& panel) {
                        ImGui::IsMouseHoveringRect(im(panel.low), im(panel.low + panel.size));
     const bool clicked =
         ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2);
-    if ((frame.is_hovered && clicked) || v.wants_focus) ImGui::SetWindowFocus();
-    v.wants_focus = false;
+    // Panels that appear take the keyboard: the viewport gets it after the first frames.
+    const bool gets_focus = v.wants_focus && ImGui::GetFrameCount() > kFramesToSettle;
+    if ((frame.is_hovered && clicked) || gets_focus) ImGui::SetWindowFocus();
+    if (gets_focus) v.wants_focus = false;
     v.has_focus = ImGui::IsWindowFocused();
 
     draw_picture(c, frame);

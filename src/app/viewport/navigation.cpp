@@ -25,7 +25,7 @@ void follow_buttons(NavigationState& state, const NavigationInput& in) {
     if (in.right.pressed)
         state.drag = Drag::Look;
     else if (in.middle.pressed)
-        state.drag = in.alt ? Drag::PanPicture : Drag::Pan;
+        state.drag = in.shift ? Drag::PanPicture : Drag::Pan;
     else if (in.left.pressed && in.alt && !in.ctrl)
         state.drag = Drag::Orbit;
     if (state.drag == Drag::None) return;
@@ -101,7 +101,7 @@ NavigationResult navigate(NavigationState& state, const NavigationInput& in,
     if (in.wheel != 0 && looking)
         result.fly_speed = std::clamp(settings.fly_speed * std::pow(kSpeedStep, in.wheel),
                                       kLowestSpeed, kHighestSpeed);
-    else if (in.wheel != 0 && in.is_hovered && in.alt)
+    else if (in.wheel != 0 && in.is_hovered && in.shift)
         result.picture_zoom_steps = in.wheel;
     else if (in.wheel != 0 && in.is_hovered && state.drag == Drag::None)
         result.camera = widened(result.camera, -in.wheel);

@@ -26,7 +26,7 @@ struct NavigationInput {
     bool is_hovered = false;    // the pointer is over the picture and over nothing before it
     bool has_focus = false;     // the viewport has the keyboard
     bool is_typing = false;     // a text field or a dialog has the keyboard
-    bool alt = false, ctrl = false;
+    bool alt = false, ctrl = false, shift = false;
     Key left, middle, right;  // mouse buttons
     std::array<Key, kFlyKeyCount> keys;
     Key down_by_ctrl;                // left Ctrl where it is a key of flying down; not in `keys`
@@ -38,7 +38,7 @@ enum class Drag {
     Look,        // right button
     Pan,         // middle button: the camera
     Orbit,       // Alt and left button
-    PanPicture,  // Alt and middle button: the picture on the screen
+    PanPicture,  // Shift and middle button: the picture on the screen
     Released     // given up with Esc; nothing until the buttons are up
 };
 
@@ -65,7 +65,7 @@ struct NavigationResult {
     Camera camera;
     double fly_speed = 1;           // changed by the wheel while the right button is held
     Double2 picture_shift{0, 0};    // pixels that the picture is dragged on the screen
-    double picture_zoom_steps = 0;  // notches of Alt and wheel
+    double picture_zoom_steps = 0;  // notches of Shift and wheel
 };
 
 inline constexpr double kFasterFactor = 4;     // of left Shift

@@ -5,7 +5,7 @@
 namespace tp {
 namespace {
 
-constexpr double kGroundFactor = 10;
+constexpr double kGroundFactor = 5;
 constexpr double kSecondsAcross = 4;
 
 struct Box {
@@ -55,9 +55,11 @@ std::optional<Extent> extent_of_all(const Scene& scene) {
     std::sort(extents.begin(), extents.end(),
               [](const Extent& a, const Extent& b) { return a.radius < b.radius; });
     Box box;
-    for (const Extent& e : extents) {
-        if (box.low.x <= box.high.x && e.radius > kGroundFactor * box.extent().radius) break;
-        box.add(e);
+    box.add(extents.front());
+    for (size_t i = 1; i < extents.size(); ++i) {
+        const bool is_far_larger = extents[i].radius > kGroundFactor * box.extent().radius;
+        if (is_far_larger && extents.size() - i <= i) break;
+        box.add(extents[i]);
     }
     return box.extent();
 }

@@ -16,8 +16,8 @@ std::optional<Extent> extent_of(const std::vector<const Object*>& objects);
 std::vector<const Object*> selected_objects(const Scene& scene,
                                             const std::vector<ObjectId>& selection);
 
-/// A sphere around what is visible of the scene but the ground: from the smallest object upwards,
-/// an object ten times as large as all the smaller ones together is taken for ground and left out.
+/// A sphere around what is visible of the scene but the ground: objects five times as large as all
+/// the smaller ones together are left out where they are not the most.
 std::optional<Extent> extent_of_all(const Scene& scene);
 
 /// A speed of flying that crosses what there is to see in some seconds, in scene units a second.
