@@ -1,6 +1,7 @@
 // Saving: the same scene comes back, in the same words, with names and paths that still hold; the
 // file is written whole or not at all.
 #include "support/shipped_scenes.h"
+#include "support/temporary_folder.h"
 
 #include <teapath/core/error.h>
 #include <teapath/io/scene_file.h>
@@ -14,23 +15,10 @@
 #include <random>
 
 using namespace tp;
+using tp::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "teapath_XXXXXX").string();
-        REQUIRE(mkdtemp(name.data()));
-        path = name;
-    }
-    ~TemporaryFolder() { fs::remove_all(path); }
-    size_t count() const {
-        return static_cast<size_t>(std::distance(fs::directory_iterator(path), {}));
-    }
-    fs::path path;
-};
 
 Scene parse(const std::string& text) {
     return parse_scene(text, ".", "test.json");

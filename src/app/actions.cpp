@@ -48,12 +48,20 @@ void perform(const Action& a, PanelContext& c) {
 
 void draw_item(PanelContext& c, const Action& a) {
     if (a.starts_group) ImGui::Separator();
+    if (a.more) {
+        a.more(c);
+        return;
+    }
     const std::string title = (a.title ? a.title(c) : a.label) + "###" + a.id;
     const std::string key = chord_label(c.ui.keys.chords(a.id)[0]);
     if (ImGui::MenuItem(title.c_str(), key.c_str(), a.is_checked && a.is_checked(c),
                         is_enabled(a, c)))
         perform(a, c);
-    if (a.help[0] != 0) ImGui::SetItemTooltip("%s", a.help);
+    const bool is_greyed = a.why_not && !is_enabled(a, c);
+    const std::string tip = is_greyed ? a.why_not(c) : a.help;
+    if (!tip.empty() &&
+        ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled))
+        ImGui::SetTooltip("%s", tip.c_str());
 }
 
 }  // namespace
@@ -106,7 +114,7 @@ void draw_menu_items(PanelContext& c, std::string_view menu) {
         submenu.clear();
     };
     for (const Action& a : actions()) {
-        if (!a.run) continue;
+        if (!a.run && !a.more) continue;
         const std::string_view where = a.menu;
         const bool is_below = where.substr(0, below.size()) == below;
         if (where != menu && !is_below) continue;

@@ -25,10 +25,12 @@ struct Action {
     int keys[2] = {0, 0};  // ImGuiKeyChord as shipped; 0 = none
     ActionScope scope = ActionScope::Anywhere;
     void (*run)(PanelContext&) = nullptr;
-    bool (*is_enabled)(const PanelContext&) = nullptr;    // null: always
-    bool (*is_checked)(const PanelContext&) = nullptr;    // null: no tick
-    std::string (*title)(const PanelContext&) = nullptr;  // null: the label
-    bool starts_group = false;                            // a line above it in the menu
+    bool (*is_enabled)(const PanelContext&) = nullptr;      // null: always
+    bool (*is_checked)(const PanelContext&) = nullptr;      // null: no tick
+    std::string (*title)(const PanelContext&) = nullptr;    // null: the label
+    bool starts_group = false;                              // a line above it in the menu
+    std::string (*why_not)(const PanelContext&) = nullptr;  // while greyed: the reason, for its tip
+    void (*more)(PanelContext&) = nullptr;  // draws items that are no actions; `run` is null then
 };
 
 /// All actions, in the order of the menus.

@@ -9,19 +9,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <utility>
 
 // After imgui.h, which it needs.
 #include "actions.h"
 #include "application.h"
 #include "dialogs/dialogs.h"
+#include "dialogs/file_question.h"
+#include "layouts.h"
 #include "panels/panels.h"
 #include "theme.h"
 
 #include <teapath/core/error.h>
 #include <teapath/io/image_file.h>
 #include <teapath/render/backend_names.h>
-
-#include <imgui_internal.h>
 
 namespace tp {
 namespace {
@@ -32,56 +34,12 @@ double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// The default places of the panels around the picture.
-void build_layout(ImGuiID dockspace) {
-    const ImVec2 size = ImGui::GetMainViewport()->WorkSize;
-    ImGui::DockBuilderRemoveNode(dockspace);
-    ImGui::DockBuilderAddNode(dockspace, ImGuiDockNodeFlags_DockSpace);
-    ImGui::DockBuilderSetNodeSize(dockspace, size);
-    ImGuiID middle = dockspace;
-    const float font = ImGui::GetFontSize();
-    const float side = std::clamp(18 * font / size.x, 0.12f, 0.23f),
-                low = std::clamp(12 * font / size.y, 0.12f, 0.28f);
-    const ImGuiID bottom =
-        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Down, low, nullptr, &middle);
-    const ImGuiID left = ImGui::DockBuilderSplitNode(middle, ImGuiDir_Left, side, nullptr, &middle);
-    ImGuiID right =
-        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Right, side / (1 - side), nullptr, &middle);
-    const ImGuiID inspector =
-        ImGui::DockBuilderSplitNode(right, ImGuiDir_Down, 0.58f, nullptr, &right);
-    ImGuiID console = bottom;
-    const ImGuiID metrics =
-        ImGui::DockBuilderSplitNode(console, ImGuiDir_Right, 0.5f, nullptr, &console);
-    ImGui::DockBuilderDockWindow("Viewport", middle);
-    ImGui::DockBuilderDockWindow("Options", left);
-    ImGui::DockBuilderDockWindow("Scene", right);
-    ImGui::DockBuilderDockWindow("Inspector", inspector);
-    ImGui::DockBuilderDockWindow("Console", console);
-    ImGui::DockBuilderDockWindow("Metrics", metrics);
-    ImGui::DockBuilderDockWindow("History", metrics);
-    // The tab in front is the one that was docked last, once its window is there.
-    if (ImGuiDockNode* node = ImGui::DockBuilderGetNode(metrics))
-        node->SelectedTabId = ImHashStr("#TAB", 0, ImHashStr("Metrics"));
-    if (ImGuiDockNode* node = ImGui::DockBuilderGetNode(middle))
-        node->LocalFlags |= ImGuiDockNodeFlags_HiddenTabBar;
-    ImGui::DockBuilderFinish(dockspace);
-}
-
 void draw_panels(PanelContext& c) {
     ImGuizmo::BeginFrame();
     draw_menu_bar(c);
     draw_status_bar(c);
-    const ImGuiID dockspace = ImGui::GetID("dockspace");
-    if (c.ui.reset_layout || !ImGui::DockBuilderGetNode(dockspace)) build_layout(dockspace);
-    c.ui.reset_layout = false;
-    ImGui::DockSpaceOverViewport(dockspace, ImGui::GetMainViewport(), ImGuiDockNodeFlags_None);
-    draw_viewport(c);
-    draw_options(c);
-    draw_scene_tree(c);
-    draw_inspector(c);
-    draw_console(c);
-    draw_metrics(c);
-    draw_history(c);
+    draw_dock_space(c);
+    draw_open_panels(c);
     draw_dialogs(c);
     run_shortcuts(c);
 }
@@ -125,14 +83,38 @@ Document first_document(const AppOptions& options, RenderWorker& worker) {
 App::App(const AppOptions& options)
     : worker(session_options(options)),
       document(first_document(options, worker)),
-      window(options.width, options.height, "Teapath") {
+      window(options.width > 0 ? options.width : 1280, options.height > 0 ? options.height : 720,
+             "Teapath") {
     preferences_file_ = configuration_folder() / "settings.json";
     ui.preferences = load_preferences(preferences_file_);
     ui.keys.from_names(ui.preferences.keys);
     saved_preferences_ = ui.preferences;
-    apply_theme(ui.preferences.dark_theme, window.scale());
     ui.previews = &previews;
     ui.session = ui.used_session = session_options(options);
+    if (options.width <= 0 && options.height <= 0) window.put(ui.preferences.window);
+    if (!options.scene.empty()) ui.preferences.remember_file(options.scene);
+    const char* autosave_seconds = std::getenv("TEAPATH_AUTOSAVE_SECONDS");
+    ui.autosave.start(state_folder() / "autosave",
+                      autosave_seconds ? std::atof(autosave_seconds) : 0);
+    look_for_native_dialogs();
+}
+
+App::~App() {
+    worker.stop();  // its threads would slow down what ends before it
+    ui.preferences.window = window.place();
+    if (ui.preferences != saved_preferences_) save_preferences(ui.preferences, preferences_file_);
+}
+
+// Theme and scale of the interface as they are to be from this frame on.
+void App::apply_look() {
+    window.set_interface_scale(ui.preferences.interface_scale);
+    const std::pair<bool, float> look{ui.preferences.dark_theme, window.scale()};
+    if (look == look_) return;
+    look_ = look;
+    apply_theme(look.first, look.second);
+    // Fonts are drawn at any size; a panel's cross shows under the pointer.
+    ImGui::GetStyle().FontScaleDpi = look.second;
+    ImGui::GetStyle().TabCloseButtonMinWidthSelected = 0;
 }
 
 void App::show_newest_picture(PanelContext& c) {
@@ -157,6 +139,8 @@ void App::post_scene() {
 }
 
 void App::draw_frame(double wait_seconds) {
+    apply_look();
+    apply_saved_layout(ui);
     window.begin_frame(wait_seconds);
     const auto frame_start = Clock::now();
 
@@ -166,7 +150,7 @@ void App::draw_frame(double wait_seconds) {
 
     // The interface, which may change the document.
     for (const std::filesystem::path& file : window.take_drops())
-        open_scene(context, file);
+        drop_file(context, file);
     previews.begin_frame();
     draw_panels(context);
     post_scene();
@@ -175,10 +159,11 @@ void App::draw_frame(double wait_seconds) {
         save_preferences(saved_preferences_ = ui.preferences, preferences_file_);
     remember_times(ui.metrics, ms_since(frame_start), status);
     window.draw();
+    take_window_image(context);
 }
 
 bool App::is_closed() const {
-    return window.should_close() && (!document.is_modified() || ui.dialogs.pending.empty());
+    return ui.dialogs.quits;
 }
 
 int run_app(const AppOptions& options) {

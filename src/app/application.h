@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace tp {
 
@@ -17,6 +18,8 @@ public:
     /// Opens the window on the scene. Throws Error where no window can be opened or the scene is
     /// broken.
     explicit App(const AppOptions& options);
+    /// Remembers the window's place.
+    ~App();
     App(const App&) = delete;
     App& operator=(const App&) = delete;
 
@@ -39,12 +42,14 @@ public:
 private:
     void show_newest_picture(PanelContext& c);
     void post_scene();
+    void apply_look();
 
     std::filesystem::path preferences_file_;
     Preferences saved_preferences_;
     std::string title_;
     ScenePtr posted_;  // what the renderer was given last
     bool was_changed_ = false;
+    std::pair<bool, float> look_{true, 0.0f};  // dark, scale: as applied last
 };
 
 }  // namespace tp

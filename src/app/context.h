@@ -4,6 +4,9 @@
 
 #include "display/display_texture.h"
 #include "image_open.h"
+#include "jobs/autosave.h"
+#include "jobs/export_job.h"
+#include "jobs/jobs.h"
 #include "keymap.h"
 #include "preferences.h"
 #include "render_worker.h"
@@ -20,6 +23,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -100,6 +104,19 @@ struct MetricsState {
     double show_ms = 0;  // from the renderer to the texture, of the last picture
 };
 
+struct FileDialog;
+
+/// A message that stays until it is closed.
+struct Message {
+    std::string title, text;
+};
+
+/// What waits for unsaved changes to be settled.
+struct PendingStep {
+    std::string verb;  // "closing the window", for the question
+    std::function<void(PanelContext&)> then;
+};
+
 struct DialogState {
     bool show_keys = false;
     bool show_settings = false;
@@ -107,17 +124,32 @@ struct DialogState {
     int key_slot = 0;            // which of its two
     bool key_was_taken = false;  // in this frame
     std::string key_search;
-    bool show_open = false, show_save_as = false, show_export = false;
-    std::string path_input;
-    std::string pending;  // what to do once unsaved changes are settled: "quit", "new", "open"
+    bool show_export = false;
+    bool show_save_layout = false;
+    std::shared_ptr<FileDialog> file;  // the question for a file that is open
+    PendingStep pending;               // then == null: no question
+    std::deque<Message> messages;
+    ExportSettings exports;
+    std::filesystem::path exports_of;  // the document that `exports` was filled from
+    // What was last asked of the disk, and its answer.
+    ExportSettings exports_checked;
+    ScenePtr exports_checked_scene;
+    std::string exports_refusal;
+    std::filesystem::path window_image;  // where the window's pixels of this frame go, if anywhere
+    std::string layout_name;
+    bool asks_to_stop = false;  // whether to quit although an export runs
+    bool quits = false;         // all is settled: the program ends
 };
 
 class Previews;
 
-/// What of the look is in force.
-struct AppliedLook {
-    bool dark = true;
-    float scale = 0;  // 0: not known yet
+struct LayoutState {
+    std::string built_in;               // to be built in the next frame: "Edit", "Render" …
+    std::string places;                 // ImGui's, to be taken before the next frame
+    std::vector<std::string> saved;     // names, as of the last look
+    std::vector<std::string> in_front;  // panels whose tabs are to be in front …
+    int frames_to_front = 0;            // … after so many frames
+    bool is_stale = true;               // the folder is to be read again
 };
 
 /// What one panel's file alone knows between frames: a value for each type, made at first use. It
@@ -151,8 +183,10 @@ struct UiState {
     SessionOptions session;       // what the renderer is to run on
     SessionOptions used_session;  // what it was last told
     DialogState dialogs;
-    AppliedLook look;
+    LayoutState layout;
     std::deque<Toast> toasts;
+    Autosave autosave;
+    Jobs jobs;  // last: it goes first, and waits for its threads
 };
 
 struct PanelContext {

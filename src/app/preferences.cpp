@@ -35,6 +35,17 @@ void Preferences::remember_file(const std::filesystem::path& file) {
     if (recent_files.size() > kMaxRecent) recent_files.resize(kMaxRecent);
 }
 
+bool Preferences::is_panel_open(std::string_view title) const {
+    return std::find(closed_panels.begin(), closed_panels.end(), title) == closed_panels.end();
+}
+
+void Preferences::set_panel_open(const std::string& title, bool open) {
+    if (open)
+        std::erase(closed_panels, title);
+    else if (is_panel_open(title))
+        closed_panels.push_back(title);
+}
+
 std::filesystem::path configuration_folder() {
     const char* xdg = std::getenv("XDG_CONFIG_HOME");
     const char* home = std::getenv("HOME");
@@ -63,6 +74,13 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "fly_speed", p.fly_speed);
     take(json, "look_degrees", p.look_degrees);
     take(json, "autosave_minutes", p.autosave_minutes);
+    take(json, "native_dialogs", p.native_dialogs);
+    take(json, "closed_panels", p.closed_panels);
+    take(json, "folders", p.folders);
+    std::array<int, 5> window{};
+    take(json, "window", window);
+    if (window[2] > 0 && window[3] > 0)
+        p.window = {window[0], window[1], window[2], window[3], window[4] != 0};
     take(json, "recent_files", p.recent_files);
     take(json, "keys", p.keys);
     take(json, "folded", p.folded);
@@ -80,6 +98,8 @@ Preferences load_preferences(const std::filesystem::path& file) {
 }
 
 void save_preferences(const Preferences& p, const std::filesystem::path& file) {
+    const WindowPlace& w = p.window;
+    const std::array<int, 5> window = {w.x, w.y, w.width, w.height, w.is_maximized ? 1 : 0};
     const Json json = {{"dark_theme", p.dark_theme},
                        {"interface_scale", p.interface_scale},
                        {"seen_welcome", p.seen_welcome},
@@ -87,6 +107,10 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
                        {"fly_speed", p.fly_speed},
                        {"look_degrees", p.look_degrees},
                        {"autosave_minutes", p.autosave_minutes},
+                       {"native_dialogs", p.native_dialogs},
+                       {"window", window},
+                       {"closed_panels", p.closed_panels},
+                       {"folders", p.folders},
                        {"recent_files", p.recent_files},
                        {"keys", p.keys},
                        {"folded", p.folded},

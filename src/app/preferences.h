@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
@@ -18,6 +19,14 @@ struct ViewportPreferences {
     friend bool operator==(const ViewportPreferences&, const ViewportPreferences&) = default;
 };
 
+/// Where the window was, in screen coordinates; a width of 0: nowhere yet.
+struct WindowPlace {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool is_maximized = false;
+
+    friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
+};
+
 struct Preferences {
     bool dark_theme = true;
     float interface_scale = 0;   // 0 = from the monitor; else 0.75 to 3
@@ -26,7 +35,11 @@ struct Preferences {
     double fly_speed = 1;        // times the natural speed of the scene, 0.1 to 10
     double look_degrees = 0.1;   // that a pixel of the mouse turns the camera, 0.01 to 1
     int autosave_minutes = 2;    // 0 = off, up to 60
-    std::vector<std::string> recent_files;                   // the newest first, at most kMaxRecent
+    bool native_dialogs = true;  // the desktop's own file dialogs, where it has some
+    WindowPlace window;          // at the last end
+    std::vector<std::string> closed_panels;      // by their titles
+    std::map<std::string, std::string> folders;  // the last one for each purpose: "scene", "image"
+    std::vector<std::string> recent_files;       // the newest first, at most kMaxRecent
     std::map<std::string, std::array<std::string, 2>> keys;  // see KeyMap::to_names
     ViewportPreferences viewport;
     std::vector<std::string> folded;  // headings of panels that are folded
@@ -35,6 +48,8 @@ struct Preferences {
 
     /// Puts a file at the head of the recent ones.
     void remember_file(const std::filesystem::path& file);
+    bool is_panel_open(std::string_view title) const;
+    void set_panel_open(const std::string& title, bool open);
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 

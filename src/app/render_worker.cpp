@@ -31,6 +31,7 @@ RenderWorker::RenderWorker(const SessionOptions& options)
 
 RenderWorker::~RenderWorker() {
     stop();
+    thread_.join();
 }
 
 void RenderWorker::stop() {
@@ -40,7 +41,6 @@ void RenderWorker::stop() {
         if (Session* session = session_) session->cancel();
     }
     wake_.notify_all();
-    thread_.join();
 }
 
 void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,
@@ -64,6 +64,7 @@ void RenderWorker::set_paused(bool paused) {
 
 void RenderWorker::set_options(const SessionOptions& options) {
     stop();
+    thread_.join();
     stopping_ = false;
     status_ = {};
     has_request_ = request_.scene != nullptr;
@@ -108,6 +109,12 @@ void RenderWorker::request_pick(const PickQuery& query) {
         answer_picks();
     else
         wake_.notify_all();
+}
+
+void RenderWorker::post(std::function<void(const Session&, const Scene&)> task) {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+    wake_.notify_all();
 }
 
 std::optional<RenderWorker::Pick> RenderWorker::take_pick(int purpose) {
@@ -168,8 +175,12 @@ void RenderWorker::work(Session& session) {
             std::unique_lock lock(mutex_);
             status_.backend = session.backend_name();
             const auto idle = [&] { return paused_ || !current_.scene || is_finished(session); };
+            const auto has_tasks = [&] {
+                return !tasks_.empty() && divider_ == 1 && session.samples() > 0;
+            };
             const auto news = [&] {
-                return stopping_ || has_request_ || (current_.scene && !pick_queries_.empty());
+                return stopping_ || has_request_ || has_tasks() ||
+                       (current_.scene && !pick_queries_.empty());
             };
             if (!news() && divider_ > 1) {
                 // Low resolution is for moving; it ends after a short rest.
@@ -202,6 +213,7 @@ void RenderWorker::work(Session& session) {
             const std::lock_guard arrays(arrays_mutex_);
             answer_picks();
         }
+        run_tasks(session);
 
         history.done = session.samples();
         history.target = target_;
@@ -259,6 +271,7 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     scene->render.height = std::max(1, request.height / divider);
     target_ = scene->render.samples;
     limit_seconds_ = scene->render.seconds;
+    rendered_ = scene;
     {
         const std::lock_guard arrays(arrays_mutex_);
         arrays_ = nullptr;
@@ -273,6 +286,17 @@ bool RenderWorker::apply(Session& session, const Request& request) {
     status_.lights = session.arrays().lights.size();
     status_.bvh = session.arrays().bvh;
     return true;
+}
+
+void RenderWorker::run_tasks(Session& session) {
+    if (divider_ != 1 || session.samples() == 0) return;
+    std::vector<std::function<void(const Session&, const Scene&)>> tasks;
+    {
+        const std::lock_guard lock(mutex_);
+        tasks.swap(tasks_);
+    }
+    for (const auto& task : tasks)
+        task(session, *rendered_);
 }
 
 void RenderWorker::publish(Session& session, bool is_preview) {

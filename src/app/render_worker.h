@@ -9,6 +9,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -42,6 +43,8 @@ class RenderWorker {
 public:
     explicit RenderWorker(const SessionOptions& options);
     ~RenderWorker();
+    /// Asks the thread to end, and does not wait; nothing is rendered after that.
+    void stop();
     RenderWorker(const RenderWorker&) = delete;
     RenderWorker& operator=(const RenderWorker&) = delete;
 
@@ -59,6 +62,10 @@ public:
     /// The newest picture, once.
     std::optional<DisplayImage> take_image();
     RenderStatus status() const;
+
+    /// Runs `task` on the renderer's thread between two steps, once a picture at full resolution is
+    /// there. `scene` has the picture's size.
+    void post(std::function<void(const Session& session, const Scene& scene)> task);
 
     /// Asks what lies first along a ray; the answer is there at once unless the scene is being
     /// taken in just then, and comes after that otherwise. A new question replaces an old one of
@@ -84,12 +91,12 @@ private:
         bool is_moving = false;
         bool restart = false;
     };
-    void stop();
     bool is_finished(const Session& session) const;
     void run(SessionOptions options);
     void work(Session& session);
     bool apply(Session& session, const Request& request);
     void answer_picks();
+    void run_tasks(Session& session);
     void publish(Session& session, bool is_preview);
     int preview_divider(const Request& request) const;
 
@@ -104,6 +111,7 @@ private:
     std::map<int, Pick> picks_;            // by purpose
     std::mutex arrays_mutex_;              // the session's arrays change, or are read
     const SceneArrays* arrays_ = nullptr;  // once a scene is there
+    std::vector<std::function<void(const Session&, const Scene&)>> tasks_;
     std::optional<DisplayImage> image_;
     RenderStatus status_;
     std::atomic<Session*> session_ = nullptr;
@@ -111,6 +119,7 @@ private:
 
     // The thread's own.
     Request current_;
+    std::shared_ptr<const Scene> rendered_;  // the scene of the session
     double pixels_per_second_ = 2e6;
     int divider_ = 1;
     int64_t target_ = 0;

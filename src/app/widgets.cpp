@@ -44,6 +44,14 @@ bool heading_line(const char* name, const char* icon, bool clickable) {
     return pressed;
 }
 
+// Lets the window's tests know that the item drawn last is a heading that folds.
+void mark_as_heading(const char* name, bool open) {
+    [[maybe_unused]] ImGuiContext& g = *ImGui::GetCurrentContext();
+    [[maybe_unused]] const ImGuiItemStatusFlags flags =
+        ImGuiItemStatusFlags_Openable | (open ? ImGuiItemStatusFlags_Opened : 0);
+    IMGUI_TEST_ENGINE_ITEM_INFO(g.LastItemData.ID, name, g.LastItemData.StatusFlags | flags);
+}
+
 }  // namespace
 
 void tooltip(const char* text) {
@@ -107,18 +115,22 @@ bool section(const char* name) {
     bool open = storage->GetBool(id, true);
     if (heading_line(name, open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT, true))
         storage->SetBool(id, open = !open);
+    mark_as_heading(name, open);
     return open;
 }
 
 bool section(const char* name, std::vector<std::string>& folded) {
     const auto found = std::find(folded.begin(), folded.end(), name);
-    const bool open = found == folded.end();
-    if (!heading_line(name, open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT, true)) return open;
-    if (open)
-        folded.emplace_back(name);
-    else
-        folded.erase(found);
-    return !open;
+    bool open = found == folded.end();
+    if (heading_line(name, open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT, true)) {
+        if (open)
+            folded.emplace_back(name);
+        else
+            folded.erase(found);
+        open = !open;
+    }
+    mark_as_heading(name, open);
+    return open;
 }
 
 void heading(const char* name) {

@@ -6,8 +6,8 @@
 #include <GLFW/glfw3.h>
 // clang-format on
 
-#include "preferences.h"
 #include "theme.h"
+#include "window_icon.h"
 
 #include <teapath/app/app.h>
 #include <teapath/core/error.h>
@@ -28,6 +28,39 @@ namespace {
 std::string& last_glfw_error() {
     static std::string text;
     return text;
+}
+
+void set_icon(GLFWwindow* window) {
+    if (glfwGetPlatform() != GLFW_PLATFORM_X11) return;  // others take it from the desktop's files
+    std::vector<std::vector<uint8_t>> pixels;
+    std::vector<GLFWimage> images;
+    for (const int size : {16, 32, 48, 64, 128}) {
+        pixels.push_back(window_icon(size));
+        images.push_back({size, size, pixels.back().data()});
+    }
+    glfwSetWindowIcon(window, static_cast<int>(images.size()), images.data());
+}
+
+// Pixels of the window that a monitor shows.
+int64_t shown_pixels(GLFWmonitor* monitor, const WindowPlace& place) {
+    int x = 0, y = 0;
+    glfwGetMonitorPos(monitor, &x, &y);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    if (!mode) return 0;
+    const int width = std::min(place.x + place.width, x + mode->width) - std::max(place.x, x);
+    const int height = std::min(place.y + place.height, y + mode->height) - std::max(place.y, y);
+    return width > 0 && height > 0 ? int64_t{width} * height : 0;
+}
+
+// The monitor that shows most of a place, and how much; null where none shows any.
+std::pair<GLFWmonitor*, int64_t> monitor_of(const WindowPlace& place) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    std::pair<GLFWmonitor*, int64_t> best{nullptr, 0};
+    for (int i = 0; i < count; ++i)
+        if (const int64_t pixels = shown_pixels(monitors[i], place); pixels > best.second)
+            best = {monitors[i], pixels};
+    return best;
 }
 
 }  // namespace
@@ -55,16 +88,22 @@ Window::Window(int width, int height, const std::string& title) {
     if (!window_) {
         const std::string why = last_glfw_error();
         glfwTerminate();
-        throw Error(ErrorKind::Device, "no window with OpenGL 4.5 can be opened: " + why, "",
-                    "install a newer graphics driver, or use `teapath render`");
+        throw Error(
+            ErrorKind::Device, "no window with OpenGL 4.5 can be opened: " + why, "",
+            "install a newer graphics driver, start it with LIBGL_ALWAYS_SOFTWARE=1, or use "
+            "`teapath render`");
     }
     glfwMakeContextCurrent(window_);
     gladLoadGL(glfwGetProcAddress);
     glfwSwapInterval(1);
     gl_name_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     float scale_y = 1;
-    glfwGetWindowContentScale(window_, &scale_, &scale_y);
+    glfwGetWindowContentScale(window_, &monitor_scale_, &scale_y);
     glfwSetWindowUserPointer(window_, this);
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float x, float) {
+        static_cast<Window*>(glfwGetWindowUserPointer(w))->monitor_scale_ = x;
+    });
+    set_icon(window_);
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         auto* self = static_cast<Window*>(glfwGetWindowUserPointer(w));
         for (int i = 0; i < count; ++i)
@@ -79,8 +118,9 @@ Window::Window(int width, int height, const std::string& title) {
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     ini_file_ = (configuration_folder() / "layout.ini").string();
     io.IniFilename = ini_file_.c_str();
-    load_fonts(scale_);
-    apply_theme(true, scale_);
+    // Fonts are drawn at any size; the theme says at which.
+    load_fonts(1);
+    apply_theme(true, scale());
     ImGui_ImplGlfw_InitForOpenGL(window_, true);
     ImGui_ImplOpenGL3_Init("#version 450");
 }
@@ -135,15 +175,42 @@ bool Window::is_hidden() const {
     return width < 1 || height < 1 || glfwGetWindowAttrib(window_, GLFW_ICONIFIED);
 }
 
+float Window::scale() const {
+    const float scale = chosen_scale_ > 0 ? chosen_scale_ : monitor_scale_;
+    return std::clamp(scale, 0.75f, 3.0f);
+}
+
+bool Window::is_full_screen() const {
+    return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+WindowPlace Window::place() const {
+    WindowPlace place = windowed_;
+    place.is_maximized = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) != 0;
+    if (is_full_screen() || place.is_maximized) return place;
+    glfwGetWindowPos(window_, &place.x, &place.y);
+    glfwGetWindowSize(window_, &place.width, &place.height);
+    return place;
+}
+
+void Window::put(const WindowPlace& place) {
+    if (place.width < 1 || place.height < 1) return;
+    windowed_ = place;
+    glfwSetWindowSize(window_, place.width, place.height);
+    // Enough of it to be taken hold of.
+    if (monitor_of(place).second >= int64_t{100} * 40) glfwSetWindowPos(window_, place.x, place.y);
+    if (place.is_maximized) glfwMaximizeWindow(window_);
+}
+
 void Window::toggle_full_screen() {
-    if (glfwGetWindowMonitor(window_)) {
-        glfwSetWindowMonitor(window_, nullptr, windowed_[0], windowed_[1], windowed_[2],
-                             windowed_[3], 0);
+    if (is_full_screen()) {
+        glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.width,
+                             windowed_.height, 0);
         return;
     }
-    glfwGetWindowPos(window_, &windowed_[0], &windowed_[1]);
-    glfwGetWindowSize(window_, &windowed_[2], &windowed_[3]);
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    windowed_ = place();
+    GLFWmonitor* monitor = monitor_of(windowed_).first;
+    if (!monitor) monitor = glfwGetPrimaryMonitor();
     if (!monitor) return;
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);

@@ -1,6 +1,8 @@
 // The GLFW window with its GL context and Dear ImGui on top; move-free RAII.
 #pragma once
 
+#include "preferences.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -30,7 +32,15 @@ public:
     /// True where there is nothing to draw on, as when minimised.
     bool is_hidden() const;
 
+    /// On the monitor that shows most of the window, and back to where it was.
     void toggle_full_screen();
+    bool is_full_screen() const;
+
+    /// Where the window is, or was before it became full screen or maximised.
+    WindowPlace place() const;
+    /// Puts the window where it was, if that is still on a monitor; its size in any case.
+    void put(const WindowPlace& place);
+
     void capture_cursor(bool capture);
 
     /// Files dropped since the last call.
@@ -39,15 +49,19 @@ public:
     /// The drawn pixels, RGB, top row first; between draw and show.
     std::vector<unsigned char> read_pixels(int& width, int& height) const;
 
-    float scale() const { return scale_; }  // of the interface, from the monitor
+    /// Of the interface: the chosen one, else from the monitor that the window is on.
+    float scale() const;
+    /// 0.75 to 3, or 0 for the monitor's. Theme and fonts follow with `apply_theme`.
+    void set_interface_scale(float scale) { chosen_scale_ = scale; }
     const std::string& gl_name() const { return gl_name_; }
 
 private:
     GLFWwindow* window_ = nullptr;
-    float scale_ = 1;
+    float monitor_scale_ = 1;
+    float chosen_scale_ = 0;
     std::string gl_name_;
     std::vector<std::filesystem::path> drops_;
-    int windowed_[4] = {0, 0, 1280, 720};
+    WindowPlace windowed_{0, 0, 1280, 720, false};  // while it is not full screen or maximised
     std::string ini_file_;
 };
 

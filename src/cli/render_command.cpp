@@ -3,19 +3,18 @@
 #include "command.h"
 #include "help_format.h"
 #include "interrupt.h"
-#include "output_files.h"
 #include "progress.h"
 #include "render_loop.h"
 #include "render_options.h"
-#include "rendered_image.h"
 #include "status.h"
 #include "version.h"
 
 #include <teapath/core/error.h>
 #include <teapath/core/log.h>
 #include <teapath/io/scene_file.h>
+#include <teapath/render/output_files.h>
+#include <teapath/render/rendered_image.h>
 #include <teapath/render/session.h>
-#include <teapath/scene/enum_tables.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -120,30 +119,6 @@ RenderOptions parse_options(const Words& words) {
     return options;
 }
 
-// The backend without what differs from run to run, such as the number of threads.
-std::string backend_kind(const Session& session) {
-    const std::string name = session.backend_name();
-    return name.substr(0, name.find(','));
-}
-
-std::map<std::string, std::string> metadata(const std::filesystem::path& file, const Scene& scene,
-                                            const Session& session) {
-    const PathSettings& path = scene.render.path;
-    return {{"program", "Teapath"},
-            {"version", version()},
-            {"scene", file.filename().string()},
-            {"camera", active_camera(scene).name},
-            {"seed", fmt::to_string(path.seed)},
-            {"samples", fmt::to_string(session.samples())},
-            {"size", fmt::format("{}x{}", scene.render.width, scene.render.height)},
-            {"depth", fmt::to_string(path.max_depth)},
-            {"integrator", std::string(enum_name(path.integrator))},
-            {"sampler", std::string(enum_name(path.sampler))},
-            {"exposure", fmt::to_string(scene.display.exposure)},
-            {"tone_curve", std::string(enum_name(scene.display.curve))},
-            {"backend", backend_kind(session)}};
-}
-
 std::string start_text(const RenderOptions& options, const Scene& scene, const Session& session) {
     std::string limit = options.seconds ? fmt::format("{} s", *options.seconds)
                                         : fmt::format("{} spp", scene.render.samples);
@@ -202,15 +177,8 @@ int render(const RenderOptions& options) {
     warn_of_invalid_samples(session.counters());
 
     // The picture.
-    RenderedImage image;
-    image.width = scene->render.width;
-    image.height = scene->render.height;
-    if (any_has(options.outputs, FileContent::Radiance) ||
-        any_has(options.outputs, FileContent::Layers))
-        image.film = session.film();
-    if (any_has(options.outputs, FileContent::Display)) image.display = session.display();
-    image.metadata = metadata(options.scene, *scene, session);
-    image.run = {{"seconds", fmt::format("{:.3f}", seconds)}, {"backend", session.backend_name()}};
+    const RenderedImage image = rendered_image(session, *scene, options.scene.filename().string(),
+                                               options.outputs, seconds);
     write_files(options.outputs, image);
     if (!options.quiet)
         for (const auto& file : options.outputs)

@@ -7,8 +7,6 @@
 namespace tp {
 namespace {
 
-constexpr size_t kMaxSteps = 256;
-
 Scene fresh_scene() {
     Scene scene;
     scene.name = "Untitled";
@@ -47,24 +45,59 @@ void put_camera(const Camera& camera, Scene& scene) {
         if (c.id == camera.id) c = camera;
 }
 
+// The camera once a change from `from` to `to` has been made to `camera`, which may have been flown
+// elsewhere: what flying changes and the change did not stays as it is.
+Camera camera_changed(const Camera& camera, const Camera& from, Camera to) {
+    if (camera.id != to.id || from.id != to.id) return to;
+    if (from.look_from == to.look_from && from.look_at == to.look_at && from.up == to.up) {
+        to.look_from = camera.look_from;
+        to.look_at = camera.look_at;
+        to.up = camera.up;
+    }
+    if (from.vertical_fov == to.vertical_fov) to.vertical_fov = camera.vertical_fov;
+    return to;
+}
+
 // The camera after the way from one step of the history to another.
 Camera camera_after(const std::vector<HistoryStep>& steps, size_t from, size_t to, Camera camera) {
     for (size_t i = from; i > to; --i)
-        if (steps[i].is_jump) camera = steps[i].camera_before;
+        if (steps[i].is_jump)
+            camera = camera_changed(camera, active_camera(*steps[i].scene), steps[i].camera_before);
     for (size_t i = from + 1; i <= to; ++i)
-        if (steps[i].is_jump) camera = active_camera(*steps[i].scene);
+        if (steps[i].is_jump)
+            camera = camera_changed(camera, steps[i].camera_before, active_camera(*steps[i].scene));
     return camera;
+}
+
+// What a scene takes in memory without its images, which scenes share.
+size_t bytes_of(const Scene& scene) {
+    const auto listed = [](const auto& things) {
+        size_t bytes = 0;
+        for (const auto& thing : things)
+            bytes += sizeof thing + thing.name.capacity();
+        return bytes;
+    };
+    return sizeof(Scene) + scene.description.capacity() + listed(scene.cameras) +
+           listed(scene.objects) + listed(scene.generators) + listed(scene.materials) +
+           listed(scene.textures);
+}
+
+void add_images(const Scene& scene, std::unordered_set<const Image*>& images) {
+    images.insert(scene.background.file.image.get());
+    for (const Texture& texture : scene.textures)
+        images.insert(texture.file.image.get());
 }
 
 }  // namespace
 
-Document::Document() {
+Document::Document(HistoryLimit limit) : limit_(limit) {
     reset(fresh_scene(), {});
 }
 
 void Document::set_scene(Scene scene) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
-    modified_ = *scene_ != *saved_;
+    modified_ = !saved_ || *scene_ != *saved_;
+    ++edits_;
     if (selection.size() == 1 && !find(*scene_, selection[0])) selection.clear();
     if (selection.size() > 1) {
         std::unordered_set<uint32_t> alive;
@@ -78,7 +111,8 @@ void Document::set_scene(Scene scene) {
 void Document::reset(Scene scene, std::filesystem::path file) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
     saved_ = scene_;
-    steps_ = {{"Open", "", scene_, active_camera(*scene_), false}};
+    ++edits_;
+    steps_ = {{"Open", "", scene_, active_camera(*scene_), false, bytes_of(*scene_)}};
     position_ = 0;
     merging_ = false;
     modified_ = false;
@@ -100,20 +134,48 @@ void Document::edit(const std::string& label, const std::string& merge_key,
     if (merges) {
         steps_[position_].scene = scene_;
         steps_[position_].is_jump |= is_jump;
+        steps_[position_].bytes = bytes_of(*scene_);
     } else {
         steps_.resize(position_ + 1);
-        steps_.push_back({label, merge_key, scene_, camera_before, is_jump});
-        if (steps_.size() > kMaxSteps) steps_.erase(steps_.begin() + 1);
+        steps_.push_back({label, merge_key, scene_, camera_before, is_jump, bytes_of(*scene_)});
         position_ = steps_.size() - 1;
     }
+    trim_history();
     merging_ = !merge_key.empty();
+}
+
+// The oldest steps go first; the first one stays, and the step after a gap takes over the camera
+// from before it.
+void Document::trim_history() {
+    while (steps_.size() > 2 && (steps_.size() > limit_.steps || history_bytes() > limit_.bytes)) {
+        const HistoryStep& gone = steps_[1];
+        if (gone.is_jump) {
+            steps_[2].camera_before = gone.camera_before;
+            steps_[2].is_jump = true;
+        }
+        steps_.erase(steps_.begin() + 1);
+        position_ = steps_.size() - 1;
+    }
+}
+
+size_t Document::history_bytes() const {
+    std::unordered_set<const Image*> images, present{nullptr};
+    add_images(*scene_, present);
+    size_t bytes = 0;
+    for (const HistoryStep& step : steps_) {
+        if (step.scene != scene_) bytes += step.bytes;
+        add_images(*step.scene, images);
+    }
+    for (const Image* image : images)
+        if (!present.count(image)) bytes += image->bytes.size();
+    return bytes;
 }
 
 void Document::fly(const Camera& camera) {
     Scene changed = *scene_;
     put_camera(camera, changed);
     scene_ = std::make_shared<const Scene>(std::move(changed));
-    modified_ = true;
+    modified_ = !saved_ || *scene_ != *saved_;
 }
 
 void Document::go_to(size_t position) {
@@ -131,14 +193,28 @@ std::string Document::title() const {
 }
 
 void Document::open(const std::filesystem::path& file) {
-    reset(load_scene(file), file);
+    adopt(load_scene(file), file);
+}
+
+void Document::adopt(Scene scene, const std::filesystem::path& file) {
+    reset(std::move(scene), file);
+}
+
+void Document::recover(Scene scene, const std::filesystem::path& file) {
+    reset(std::move(scene), file);
+    saved_ = nullptr;
+    modified_ = true;
 }
 
 void Document::save(const std::filesystem::path& file) {
     save_scene(*scene_, file);
+    mark_saved(scene_, file);
+}
+
+void Document::mark_saved(ScenePtr scene, const std::filesystem::path& file) {
     file_ = file;
-    saved_ = scene_;
-    modified_ = false;
+    saved_ = std::move(scene);
+    modified_ = scene_ != saved_ && *scene_ != *saved_;
 }
 
 void Document::start_new() {

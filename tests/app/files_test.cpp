@@ -21,7 +21,16 @@ std::filesystem::path write_text(const std::string& name, const std::string& tex
     return file;
 }
 
+// Reading is a job: its end is a frame later.
+void settle(WindowTest& t) {
+    t.frames(1);
+    CHECK(t.frames_until([&] { return t.app->ui.jobs.is_idle(); }));
+    t.frames(2);
+}
+
+// A notice or a message says so.
 bool has_error_toast(const WindowTest& t) {
+    if (!t.app->ui.dialogs.messages.empty()) return !t.app->ui.dialogs.messages[0].text.empty();
     return std::any_of(t.app->ui.toasts.begin(), t.app->ui.toasts.end(),
                        [](const Toast& toast) { return toast.is_error && !toast.text.empty(); });
 }
@@ -35,7 +44,7 @@ TEST_CASE("files: a dropped scene is opened, and its picture comes") {
     other.objects.pop_back();
     const std::filesystem::path file = write_scene(other, "other.json");
     t.drop(file);
-    t.frames(3);
+    settle(t);
     CHECK(t.scene() == load_scene(file));
     CHECK(t.app->document.file() == file);
     CHECK_FALSE(t.app->document.is_modified());
@@ -60,15 +69,17 @@ TEST_CASE(
     for (const std::filesystem::path& file : broken) {
         INFO(file.string());
         t.app->ui.toasts.clear();
+        t.app->ui.dialogs.messages.clear();
         t.drop(file);
-        t.frames(3);
+        settle(t);
         CHECK(has_error_toast(t));
         CHECK(t.scene() == before);
         CHECK(t.app->document.file() == old_file);
         t.app->ui.toasts.clear();
+        t.app->ui.dialogs.messages.clear();
         PanelContext context = t.context();
         open_scene(context, file);
-        t.frames(3);
+        settle(t);
         CHECK(has_error_toast(t));
         CHECK(t.scene() == before);
     }
@@ -108,7 +119,7 @@ TEST_CASE("files: every shipped scene opens and is drawn") {
         if (entry.path().extension() != ".json" || entry.file_size() > 100000) continue;
         INFO(entry.path().string());
         t.drop(entry.path());
-        t.frames(3);
+        settle(t);
         CHECK(t.app->document.file() == entry.path());
         CHECK_FALSE(has_error_toast(t));
     }

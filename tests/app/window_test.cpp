@@ -99,10 +99,11 @@ std::filesystem::path write_scene(const Scene& scene, const std::string& name) {
     return file;
 }
 
-WindowTest::WindowTest(const Scene& scene, int width, int height) {
-    // Nothing is left of the test before: no settings, no layout, no recovery file.
-    for (const auto& entry : std::filesystem::directory_iterator(window_test_options().folder))
-        std::filesystem::remove_all(entry.path());
+WindowTest::WindowTest(const Scene& scene, int width, int height, Folders folders) {
+    if (folders == Folders::Emptied) {
+        for (const auto& entry : std::filesystem::directory_iterator(window_test_options().folder))
+            std::filesystem::remove_all(entry.path());
+    }
     // A debug context reports every error by itself.
     glfwInit();
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);

@@ -40,7 +40,10 @@ std::filesystem::path write_scene(const Scene& scene, const std::string& name = 
 
 class WindowTest {
 public:
-    explicit WindowTest(const Scene& scene = small_scene(), int width = 1280, int height = 720);
+    /// What the test before left, settings and recovery files, is there only where it is kept.
+    enum class Folders { Emptied, Kept };
+    explicit WindowTest(const Scene& scene = small_scene(), int width = 1280, int height = 720,
+                        Folders folders = Folders::Emptied);
     ~WindowTest();
     WindowTest(const WindowTest&) = delete;
     WindowTest& operator=(const WindowTest&) = delete;

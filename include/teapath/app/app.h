@@ -11,8 +11,8 @@ struct AppOptions {
     std::string backend = "auto";
     int device = 0;
     int threads = 0;
-    int width = 1280;  // of the window, in screen coordinates
-    int height = 720;
+    int width = 0;  // of the window, in screen coordinates; 0: as it was last, else 1280 x 720
+    int height = 0;
     double quit_after = 0;             // seconds; 0 = never; for tests
     std::filesystem::path screenshot;  // written before quitting, for tests
 };

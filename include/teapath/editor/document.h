@@ -6,6 +6,7 @@
 #include <teapath/editor/scene_item.h>
 #include <teapath/scene/scene.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -23,12 +24,20 @@ struct HistoryStep {
     ScenePtr scene;
     Camera camera_before;  // the active camera just before the step, wherever it had been flown
     bool is_jump = false;  // the step changed the active camera
+    size_t bytes = 0;      // that the scene takes, without its images
+};
+
+/// What a history may grow to. Beyond it the oldest steps go, but for the first one: the way back
+/// to the start stays. Images that only the history still holds count too.
+struct HistoryLimit {
+    size_t steps = 256;
+    size_t bytes = size_t{512} << 20;
 };
 
 class Document {
 public:
     /// An empty scene with a camera, a sky and a floor to begin with.
-    Document();
+    explicit Document(HistoryLimit limit = {});
 
     const Scene& scene() const { return *scene_; }
     /// The scene as an immutable snapshot; a new one after each change.
@@ -49,12 +58,18 @@ public:
     void undo() { go_to(position_ - 1); }
     void redo() { go_to(position_ + 1); }
     /// Goes to a step of the history. The camera stays where it has been flown to, unless the way
-    /// there passes a step that changed it: then it is where it was before or after that step.
+    /// there passes a step that changed it: then it is where it was before or after that step. A
+    /// step that changed its lens alone leaves it in its place.
     void go_to(size_t position);
     const std::vector<HistoryStep>& history() const { return steps_; }
     size_t history_position() const { return position_; }
     /// The step that the file holds; history().size() if none does.
     size_t history_saved() const;
+    /// Memory that the history holds beside the present scene.
+    size_t history_bytes() const;
+    /// Counts edits, undos and openings, not flights: equal numbers, equal scene but for the
+    /// camera.
+    uint64_t edits() const { return edits_; }
 
     /// True if the scene differs from what the file holds.
     bool is_modified() const { return modified_; }
@@ -65,6 +80,14 @@ public:
     void open(const std::filesystem::path& file);
     void save(const std::filesystem::path& file);
     void start_new();
+    // The same in two parts, for a thread that reads or writes the file meanwhile.
+    /// Takes a scene that was read from `file`.
+    void adopt(Scene scene, const std::filesystem::path& file);
+    /// Takes a scene that `file` does not hold, such as one from before a crash; `file` may be
+    /// empty.
+    void recover(Scene scene, const std::filesystem::path& file);
+    /// `scene`, a snapshot, has been written to `file`.
+    void mark_saved(ScenePtr scene, const std::filesystem::path& file);
 
     // What tree, viewport and inspector show as selected: objects, or else things of one other
     // kind.
@@ -81,10 +104,13 @@ public:
 private:
     void set_scene(Scene scene);
     void reset(Scene scene, std::filesystem::path file);
+    void trim_history();
 
     std::vector<SceneItem> other_selection_;  // counts where no object is selected
     ScenePtr scene_;
-    ScenePtr saved_;
+    ScenePtr saved_;  // what the file holds; null: nothing
+    HistoryLimit limit_;
+    uint64_t edits_ = 0;
     std::vector<HistoryStep> steps_;
     size_t position_ = 0;
     bool merging_ = false;

@@ -132,7 +132,7 @@ void draw_key_settings(PanelContext& c) {
     ImGui::TableSetupColumn("note", ImGuiTableColumnFlags_WidthStretch);
     std::string group;
     for (const Action& a : actions()) {
-        if (!matches(search, a.label)) continue;
+        if (a.more || !matches(search, a.label)) continue;
         if (group != group_of(a)) {
             group = group_of(a);
             ImGui::TableNextRow();

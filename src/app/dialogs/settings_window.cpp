@@ -1,6 +1,5 @@
 // The user's settings: the interface, flying, saving, and every key. They belong to the user and
 // not to the scene, act at once and are kept in the settings file.
-#include "../theme.h"
 #include "../widgets.h"
 #include "dialogs.h"
 #include "key_settings.h"
@@ -53,24 +52,9 @@ void draw_flying(Preferences& p) {
     ui::end_rows();
 }
 
-// Puts theme and scale of the settings in force.
-void follow_look(PanelContext& c) {
-    const Preferences& p = c.ui.preferences;
-    const float monitor = c.window.scale();
-    const float scale = p.interface_scale > 0 ? p.interface_scale : monitor;
-    AppliedLook& applied = c.ui.look;
-    if (applied.scale == 0) applied = {p.dark_theme, monitor};
-    if (applied.dark == p.dark_theme && applied.scale == scale) return;
-    apply_theme(p.dark_theme, scale);
-    // The fonts were loaded at the monitor's scale.
-    ImGui::GetStyle().FontScaleMain = scale / monitor;
-    applied = {p.dark_theme, scale};
-}
-
 }  // namespace
 
 void draw_settings_window(PanelContext& c) {
-    follow_look(c);
     DialogState& d = c.ui.dialogs;
     if (!d.show_settings) {
         d.key_to_set.clear();

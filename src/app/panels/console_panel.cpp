@@ -205,7 +205,7 @@ void draw_console(PanelContext& c) {
     ConsoleState& console = c.ui.console;
     Shown& shown = c.ui.local.get<Shown>();
     take_new_lines(console);
-    if (ImGui::Begin("Console")) {
+    if (begin_panel(c, "Console")) {
         update(shown, console);
         level_toggles(console);
         ImGui::SameLine(0, 8);

@@ -36,7 +36,7 @@ struct ShownPosition {
 }  // namespace
 
 void draw_history(PanelContext& c) {
-    if (ImGui::Begin("History")) {
+    if (begin_panel(c, "History")) {
         size_t& shown = c.ui.local.get<ShownPosition>().value;
         const size_t count = c.document.history().size(), position = c.document.history_position(),
                      saved = c.document.history_saved();

@@ -85,7 +85,7 @@ void inspector_header(PanelContext& c, const std::vector<SceneItem>& items, cons
 }
 
 void draw_inspector(PanelContext& c) {
-    if (ImGui::Begin("Inspector")) {
+    if (begin_panel(c, "Inspector")) {
         const std::vector<SceneItem> items = c.document.selected_items();
         // Fields of one thing are not those of another: what is typed is not carried over.
         const SceneItem shown = items.empty() ? SceneItem{} : items.back();

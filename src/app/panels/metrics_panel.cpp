@@ -196,7 +196,7 @@ std::string time_left_text(const PanelContext& c) {
 }
 
 void draw_metrics(PanelContext& c) {
-    if (ImGui::Begin("Metrics")) {
+    if (begin_panel(c, "Metrics")) {
         // Figures that change with each frame cannot be read.
         auto& [figures, next] = c.ui.local.get<ShownFigures>();
         if (ImGui::GetTime() >= next || figures.empty()) {

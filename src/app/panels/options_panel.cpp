@@ -275,7 +275,7 @@ void draw_viewport_options(PanelContext& c) {
 }  // namespace
 
 void draw_options(PanelContext& c) {
-    if (ImGui::Begin("Options")) {
+    if (begin_panel(c, "Options")) {
         std::vector<std::string>& folded = c.ui.preferences.folded;
         if (ui::section("Camera##options", folded)) draw_camera(c);
         if (ui::section("Sampling##options", folded)) draw_sampling(c);

@@ -151,7 +151,7 @@ void draw_rows(PanelContext& c) {
 }  // namespace
 
 void draw_scene_tree(PanelContext& c) {
-    if (ImGui::Begin("Scene")) {
+    if (begin_panel(c, "Scene")) {
         SceneTreeState& tree = c.ui.tree;
         ImGui::SetNextItemWidth(-1);
         ImGui::InputTextWithHint("##search", ICON_FA_MAGNIFYING_GLASS "  Search", &tree.search,

@@ -1,5 +1,6 @@
 // One line at the bottom: what renders, how far, how fast.
 #include "../figures.h"
+#include "../jobs/jobs_view.h"
 #include "../theme.h"
 #include "../widgets.h"
 #include "panels.h"
@@ -95,6 +96,7 @@ void draw_status_bar(PanelContext& c) {
                                     flags)) {
         if (ImGui::BeginMenuBar()) {
             draw_parts(c);
+            draw_jobs(c);
             ImGui::EndMenuBar();
         }
         draw_progress(c);

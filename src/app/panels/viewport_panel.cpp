@@ -82,9 +82,9 @@ void draw_contents(PanelContext& c, const PlaceRect& panel) {
 void draw_viewport(PanelContext& c) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     const bool open =
-        ImGui::Begin("Viewport", nullptr,
-                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
-                         ImGuiWindowFlags_NoNavInputs);
+        begin_panel(c, "Viewport",
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse |
+                        ImGuiWindowFlags_NoNavInputs);
     ImGui::PopStyleVar();
     c.ui.viewport.is_moving = c.ui.viewport.has_focus = false;
     const ImVec2 space = ImGui::GetContentRegionAvail();

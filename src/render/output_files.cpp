@@ -1,7 +1,6 @@
-#include "output_files.h"
-
 #include <teapath/core/error.h>
 #include <teapath/io/image_file.h>
+#include <teapath/render/output_files.h>
 
 #include <fcntl.h>
 #include <fmt/format.h>

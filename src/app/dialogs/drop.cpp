@@ -1,0 +1,109 @@
+// What a file dropped on the window becomes: the scene, a background, the colour of a material.
+#include "dialogs.h"
+#include "file_question.h"
+
+#include <teapath/editor/scene_edits.h>
+#include <teapath/io/image_file.h>
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace tp {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_over_viewport(const PanelContext& c) {
+    const ImGuiWindow* window = ImGui::FindWindowByName("Viewport");
+    return c.ui.preferences.is_panel_open("Viewport") && window && window->WasActive &&
+           window->Rect().Contains(ImGui::GetMousePos());
+}
+
+// The path as the scene is to say it: from the scene's folder on, where it lies below that.
+std::string path_in_scene(const Scene& scene, const fs::path& file) {
+    const fs::path whole = fs::absolute(file).lexically_normal();
+    if (scene.origin.folder.empty()) return whole.generic_string();
+    const fs::path relative = whole.lexically_relative(scene.origin.folder);
+    return relative.empty() || *relative.begin() == ".." ? whole.generic_string()
+                                                         : relative.generic_string();
+}
+
+// The selected objects' materials, or the selected materials.
+std::vector<MaterialId> target_materials(const Document& document) {
+    std::vector<MaterialId> found;
+    for (const SceneItem item : document.selected_items()) {
+        if (item.kind == ItemKind::Material) found.push_back({item.id});
+        if (item.kind != ItemKind::Object) continue;
+        if (const Object* object = find(document.scene(), ObjectId{item.id}))
+            found.push_back(object->material);
+    }
+    return found;
+}
+
+void set_background(PanelContext& c, const ImageFile& image) {
+    c.document.edit("Background image", "", [&](Scene& s) {
+        s.background.kind = BackgroundKind::Image;
+        s.background.file = image;
+    });
+}
+
+void set_textures(PanelContext& c, const std::vector<MaterialId>& materials,
+                  const ImageFile& image) {
+    c.document.edit("Colour image", "", [&](Scene& s) {
+        const TextureId texture = add_texture(s, TextureKind::Image);
+        Texture* made = find_texture(s, texture);
+        made->file = image;
+        for (const MaterialId id : materials)
+            if (Material* material = find_material(s, id)) {
+                // A light's picture is what it sends out.
+                TexturedColor& slot = material->kind == MaterialKind::DiffuseLight
+                                          ? material->emission
+                                          : material->color;
+                slot.texture = texture;
+            }
+    });
+}
+
+void drop_image(PanelContext& c, const fs::path& file) {
+    const std::vector<MaterialId> materials = target_materials(c.document);
+    if (materials.empty() && !is_over_viewport(c)) {
+        c.toast(fmt::format("Drop {} on the picture for a background, or select an object first",
+                            file.filename().string()),
+                true);
+        return;
+    }
+    JobOptions options;
+    options.title = fmt::format("Reading {}", file.filename().string());
+    c.ui.jobs.start(std::move(options), [file, materials](JobControl&) -> JobFinish {
+        const auto image = std::make_shared<const Image>(read_image(file));
+        return [file, materials, image](PanelContext& p) {
+            const ImageFile in_scene{path_in_scene(p.document.scene(), file), image};
+            if (materials.empty())
+                set_background(p, in_scene);
+            else
+                set_textures(p, materials, in_scene);
+            p.toast(fmt::format("{} is now {}", file.filename().string(),
+                                materials.empty() ? "the background" : "the colour"));
+        };
+    });
+}
+
+}  // namespace
+
+void drop_file(PanelContext& c, const fs::path& file) {
+    const std::string name = file.filename().string();
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) {
+        c.toast(fmt::format("{} is a folder; drop a scene (.json) or an image", name), true);
+    } else if (scene_filters().front().passes(file)) {
+        ask_first(c, "opening " + name, [file](PanelContext& p) { open_scene(p, file); });
+    } else if (texture_filters().front().passes(file)) {
+        drop_image(c, file);
+    } else {
+        c.toast(fmt::format("{} is neither a scene (.json) nor an image that can be read", name),
+                true);
+    }
+}
+
+}  // namespace tp
