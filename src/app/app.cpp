@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -132,7 +133,12 @@ void App::show_newest_picture(PanelContext& c) {
 void App::post_scene() {
     // What changes in frame after frame is a drag or a flight.
     const bool is_changed = document.snapshot() != posted_;
-    worker.set_scene(document.snapshot(), ui.viewport.width, ui.viewport.height,
+    const double share =
+        ui.viewport.fixed_size ? 1 : ui.preferences.viewport.resolution_percent / 100.0;
+    const auto pixels = [share](int length) {
+        return std::max(1, static_cast<int>(std::lround(length * share)));
+    };
+    worker.set_scene(document.snapshot(), pixels(ui.viewport.width), pixels(ui.viewport.height),
                      ui.viewport.is_moving || (is_changed && was_changed_));
     was_changed_ = is_changed;
     posted_ = document.snapshot();

@@ -161,8 +161,7 @@ int render(const RenderOptions& options) {
     const int64_t pixels = int64_t{scene->render.width} * scene->render.height;
     const bool open_ended = options.seconds && !options.samples;
     const ProgressGoal goal{open_ended ? 0 : scene->render.samples,
-                            options.seconds.value_or(scene->render.seconds),
-                            pixels};
+                            options.seconds.value_or(scene->render.seconds), pixels};
     interrupt.begin_saving();
     const auto stopping = [&] { return interrupt.requested(); };
     double seconds = 0;

@@ -54,9 +54,11 @@ void start_native(FileDialog& dialog) {
     const FileQuestion& q = dialog.question;
     const std::string at = (dialog.folder / q.suggestion.filename()).string();
     if (q.saves)
-        dialog.native_save = std::make_shared<pfd::save_file>(q.title, at, native_filters(q.filters));
+        dialog.native_save =
+            std::make_shared<pfd::save_file>(q.title, at, native_filters(q.filters));
     else
-        dialog.native_open = std::make_shared<pfd::open_file>(q.title, at, native_filters(q.filters));
+        dialog.native_open =
+            std::make_shared<pfd::open_file>(q.title, at, native_filters(q.filters));
 }
 
 // True once the native dialog is closed.
@@ -128,12 +130,13 @@ std::vector<FileFilter> texture_filters() {
 }
 
 std::vector<FileFilter> picture_filters() {
-    return {{"All pictures", {".png", ".jpg", ".jpeg", ".exr", ".hdr", ".bmp", ".tga", ".ppm", ".pfm"}},
-            {"PNG", {".png"}},
-            {"JPEG", {".jpg", ".jpeg"}},
-            {"OpenEXR, linear", {".exr"}},
-            {"Radiance HDR, linear", {".hdr"}},
-            {"All files", {}}};
+    return {
+        {"All pictures", {".png", ".jpg", ".jpeg", ".exr", ".hdr", ".bmp", ".tga", ".ppm", ".pfm"}},
+        {"PNG", {".png"}},
+        {"JPEG", {".jpg", ".jpeg"}},
+        {"OpenEXR, linear", {".exr"}},
+        {"Radiance HDR, linear", {".hdr"}},
+        {"All files", {}}};
 }
 
 }  // namespace tp

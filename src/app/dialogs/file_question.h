@@ -18,9 +18,9 @@ struct FileQuestion {
     std::string accept;  // the button: "Open", "Save"
     bool saves = false;  // the file may be new; a replaced one is asked about
     std::vector<FileFilter> filters;
-    std::string purpose;                  // whose last folder is remembered: "scene", "image"
-    std::filesystem::path suggestion;     // a file or its name; may be empty
-    std::string extension;                // added to a saved name without one: ".json"
+    std::string purpose;               // whose last folder is remembered: "scene", "image"
+    std::filesystem::path suggestion;  // a file or its name; may be empty
+    std::string extension;             // added to a saved name without one: ".json"
     std::function<void(PanelContext&, const std::filesystem::path&)> then;
 };
 

@@ -39,6 +39,8 @@ void draw_interface(Preferences& p) {
             "Interpolates between the pixels of a picture that is shown larger or smaller");
     ui::row("Autosave", p.autosave_minutes, Preferences{}.autosave_minutes, 0, 60,
             "Minutes between the copies that are kept for recovery; 0 is never");
+    ui::row("Native dialogs", p.native_dialogs,
+            "Files are chosen in the desktop's own dialogs, where it has some");
     ui::end_rows();
 }
 

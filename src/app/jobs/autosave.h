@@ -31,8 +31,8 @@ private:
     std::shared_ptr<AutosaveFile> file_;
     double seconds_ = 0;
     std::vector<Leftover> taken_;
-    bool is_written_ = false;    // the file holds something
-    bool failed_ = false;        // and it was said
+    bool is_written_ = false;     // the file holds something
+    bool failed_ = false;         // and it was said
     uint64_t written_edits_ = 0;  // what was written last
     ScenePtr written_scene_;
     uint64_t job_ = 0;

@@ -40,18 +40,36 @@ void end_merge_when_released(PanelContext& c) {
     was_active = is_active;
 }
 
+// The picture of a material, or of what an object is made of; 0 for other things.
+uint64_t picture_of(PanelContext& c, SceneItem item) {
+    const Scene& scene = c.document.scene();
+    MaterialId id{item.kind == ItemKind::Material ? item.id : 0};
+    if (item.kind == ItemKind::Object)
+        if (const Object* object = find(scene, ObjectId{item.id})) id = object->material;
+    const Material* material = find(scene, id);
+    return material && c.ui.previews ? c.ui.previews->material(scene, *material) : 0;
+}
+
+void draw_picture(uint64_t picture, ImVec2 low, ImVec2 high) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    if (picture)
+        draw->AddImageRounded(static_cast<ImTextureID>(picture), low, high, {0, 0}, {1, 1},
+                              IM_COL32_WHITE, rounding);
+    else
+        draw->AddRectFilled(low, high, ImGui::GetColorU32(ImGuiCol_FrameBg), rounding);
+}
+
 }  // namespace
 
 void inspector_header(PanelContext& c, const std::vector<SceneItem>& items, const char* icon,
                       const std::string& kind) {
     const SceneItem item = items.back();
     const float line = ImGui::GetFrameHeight();
-    uint64_t picture = 0;
-    if (item.kind == ItemKind::Material && c.ui.previews)
-        if (const Material* m = find(c.document.scene(), MaterialId{item.id}))
-            picture = c.ui.previews->material(c.document.scene(), *m);
-    if (picture) {
-        ImGui::Image(static_cast<ImTextureID>(picture), {3 * line, 3 * line});
+    if (item.kind == ItemKind::Material || item.kind == ItemKind::Object) {
+        const ImVec2 low = ImGui::GetCursorScreenPos(), size{2.4f * line, 2.4f * line};
+        ImGui::Dummy(size);
+        draw_picture(picture_of(c, item), low, {low.x + size.x, low.y + size.y});
         ImGui::SameLine();
     }
     ImGui::BeginGroup();

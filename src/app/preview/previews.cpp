@@ -66,19 +66,34 @@ void Previews::run() {
 uint64_t Previews::material(const Scene& scene, const Material& material) {
     const uint64_t key = preview_key(scene, material);
     const auto [found, is_new] = entries_.try_emplace(key);
-    Entry& entry = found->second;
-    entry.last_used = frame_;
-    if (entry.texture) return entry.texture->id();
-    if (!is_new) return 0;
+    found->second.last_used = frame_;
+    if (is_new)
+        ask(key, material.id.value,
+            std::make_shared<const Scene>(preview_scene(scene, material, kSize)));
+    uint64_t& shown = shown_[material.id.value];
+    const auto now = entries_.find(key);
+    if (now != entries_.end() && now->second.texture) shown = key;
+    // While a value is dragged the last picture stays until there is a newer one.
+    const auto last = entries_.find(shown);
+    if (last == entries_.end() || !last->second.texture) return 0;
+    last->second.last_used = frame_;
+    return last->second.texture->id();
+}
+
+void Previews::ask(uint64_t key, uint32_t owner, std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
-    jobs_.push_back({key, std::make_shared<const Scene>(preview_scene(scene, material, kSize))});
-    // While a value is dragged only the newest pictures count.
+    // What waits for the same material is out of date; what is seen no more is asked for again.
+    std::erase_if(jobs_, [&](const Job& job) {
+        if (job.owner != owner) return false;
+        entries_.erase(job.key);
+        return true;
+    });
+    jobs_.push_back({key, owner, std::move(scene)});
     while (jobs_.size() > kMostWaiting) {
         entries_.erase(jobs_.front().key);
         jobs_.pop_front();
     }
     wake_.notify_one();
-    return 0;
 }
 
 uint64_t Previews::image(const std::shared_ptr<const Image>& image) {

@@ -48,6 +48,7 @@ private:
     };
     struct Job {
         uint64_t key = 0;
+        uint32_t owner = 0;  // MaterialId::value
         std::shared_ptr<const Scene> scene;
     };
     struct Picture {
@@ -55,9 +56,11 @@ private:
         std::vector<uint8_t> rgb;
     };
     void run();
+    void ask(uint64_t key, uint32_t owner, std::shared_ptr<const Scene> scene);
     void forget_oldest();
 
     std::unordered_map<uint64_t, Entry> entries_;
+    std::unordered_map<uint32_t, uint64_t> shown_;  // by material: the picture shown last
     uint64_t frame_ = 0;
     size_t rendered_ = 0;
 
