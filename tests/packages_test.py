@@ -33,7 +33,7 @@ WHEELS = {
 }
 # First folder or name of an #include <…> with an extension or a folder, beside the standard library's.
 INCLUDES = {"teapath", "glm", "stb", "spdlog", "fmt", "nlohmann", "CLI", "doctest", "cub", "thrust", "cuda", "GLFW",
-            "glad"}
+            "glad", "GL"}
 INCLUDE_FILES = re.compile(r"(Imf|Imath|Iex|Ilm|half|OpenEXR|Openexr|imgui|ImGui|implot|icons_font|portable_file|"
                            r"cuda|vector_types|math_constants)")
 SYSTEM_HEADERS = re.compile(r"(sys/|unistd\.h|fcntl\.h|signal\.h|io\.h|termios\.h|dlfcn\.h|pthread\.h|stdio\.h|errno\.h|sched\.h|spawn\.h)")

@@ -1,10 +1,11 @@
 // Frame times of the window: bench_window [SCENE] [SECONDS] [auto|cuda|host]. Opens it, plays each
 // situation for some seconds, and prints the median and the 99th percentile of the time that a
 // frame takes of the interface's thread, and what the picture's way to the screen takes.
+#include "application.h"
+
 #include <teapath/core/error.h>
 #include <teapath/editor/scene_edits.h>
 
-#include <application.h>
 #include <fmt/format.h>
 #include <imgui.h>
 
