@@ -36,7 +36,7 @@ INCLUDES = {"teapath", "glm", "stb", "spdlog", "fmt", "nlohmann", "CLI", "doctes
             "glad", "GL"}
 INCLUDE_FILES = re.compile(r"(Imf|Imath|Iex|Ilm|half|OpenEXR|Openexr|imgui|ImGui|implot|icons_font|portable_file|"
                            r"cuda|vector_types|math_constants)")
-SYSTEM_HEADERS = re.compile(r"(sys/|unistd\.h|fcntl\.h|signal\.h|io\.h|termios\.h|dlfcn\.h|pthread\.h|stdio\.h|errno\.h|sched\.h|spawn\.h)")
+SYSTEM_HEADERS = re.compile(r"(sys/|unistd\.h|fcntl\.h|signal\.h|io\.h|termios\.h|dlfcn\.h|pthread\.h|stdio\.h|errno\.h|sched\.h|spawn\.h|stdlib\.h)")
 # Written in pieces, so that this file may be looked at as well.
 SERVERS = [r"deb\.%s\.org" % "debian", r"archive\.%s\.com" % "ubuntu", r"snapshot\.%s" % "debian",
            r"%s\.org/(simple|project|packages)" % "pypi", r"python%s\.org" % "hosted", r"%s\.nvidia\.com/compute" % "download",
