@@ -199,7 +199,8 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
 void edit_at_random(Document& document, Random& random) {
     const auto& [label, change] = changes()[below(random, changes().size())];
     const bool drags = below(random, 4) == 0;
-    document.edit(label, drags ? label : "", [&](Scene& s) { change(s, random); });
+    document.edit(label, drags ? label : "",
+                  [&, &change = change](Scene& s) { change(s, random); });
     if (below(random, 3) == 0) document.end_merge();
 }
 
@@ -246,7 +247,7 @@ TEST_CASE("history: every step of a walk among edits, undos and redos is the sce
         } else if (scenes.size() < 250) {
             const size_t before = document.history_position();
             const auto& [label, change] = changes()[below(random, changes().size())];
-            document.edit(label, "", [&](Scene& s) { change(s, random); });
+            document.edit(label, "", [&, &change = change](Scene& s) { change(s, random); });
             if (document.history_position() != before) {
                 scenes.resize(++at);
                 scenes.push_back(document.scene());
