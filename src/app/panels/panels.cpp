@@ -14,6 +14,8 @@ const std::vector<Panel>& panels() {
 
 bool begin_panel(PanelContext& c, const char* title, int flags) {
     bool is_open = true;
+    // At the start the tabs that were in front stay there: no panel asks for the focus.
+    flags |= ImGuiWindowFlags_NoFocusOnAppearing;
     const bool is_shown = ImGui::Begin(title, &is_open, flags);
     if (!is_open) c.ui.preferences.set_panel_open(title, false);
     return is_shown;
