@@ -94,6 +94,9 @@ App::App(const AppOptions& options)
     ui.session = ui.used_session = session_options(options);
     if (options.width <= 0 && options.height <= 0) window.put(ui.preferences.window);
     if (!options.scene.empty()) ui.preferences.remember_file(options.scene);
+    if (const std::string problem = log_to_file((state_folder() / "teapath.log").string());
+        !problem.empty())
+        log_warning("there is no log file: {}", problem);
     const char* autosave_seconds = std::getenv("TEAPATH_AUTOSAVE_SECONDS");
     ui.autosave.start(state_folder() / "autosave",
                       autosave_seconds ? std::atof(autosave_seconds) : 0);

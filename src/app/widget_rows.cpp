@@ -83,6 +83,15 @@ void take_format(NumberRow& r, const char* format) {
     r.unit = end;
 }
 
+// The whole row, label and field; the table would clip it to the field.
+bool is_right_clicked() {
+    const ImVec2 high{ImGui::GetCurrentTable()->WorkRect.Max.x,
+                      current.low.y + ImGui::GetFrameHeight() + ImGui::GetStyle().CellPadding.y};
+    return ImGui::IsMouseClicked(ImGuiMouseButton_Right) && ImGui::IsWindowHovered() &&
+           ImGui::GetCurrentWindow()->InnerClipRect.Contains(ImGui::GetMousePos()) &&
+           ImGui::IsMouseHoveringRect(current.low, high, false);
+}
+
 }  // namespace
 
 bool begin_rows(const char* id) {
@@ -123,12 +132,8 @@ RowEnd end_row(const std::string& copied, bool can_reset) {
     RowEnd end;
     end.reset = can_reset && current.was_reset;
     if (copied.empty() && !can_reset) return end;
-    const ImVec2 high{ImGui::GetCurrentTable()->WorkRect.Max.x,
-                      current.low.y + ImGui::GetFrameHeight()};
     const std::string id = current.name + "##menu";
-    if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(current.low, high) &&
-        ImGui::IsMouseClicked(ImGuiMouseButton_Right))
-        ImGui::OpenPopup(id.c_str());
+    if (is_right_clicked()) ImGui::OpenPopup(id.c_str());
     if (!ImGui::BeginPopup(id.c_str())) return end;
     if (ImGui::MenuItem("Copy", nullptr, false, !copied.empty()))
         ImGui::SetClipboardText(copied.c_str());

@@ -75,6 +75,25 @@ TEST_CASE("panels: a row takes expressions, drags, and goes back by a double cli
     });
 }
 
+TEST_CASE("panels: a row's menu copies, pastes and resets") {
+    WindowTest t;
+    t.run([&](ImGuiTestContext* ctx) {
+        t.app->document.select(ObjectId{2});
+        ctx->Yield(2);
+        ctx->ItemInputValue(field(ctx, "Radius"), "0.7");
+        ctx->ItemClick("//Inspector/**/Radius", ImGuiMouseButton_Right);
+        ctx->ItemClick("//$FOCUSED/Copy");
+        CHECK(std::string(ImGui::GetClipboardText()) == "0.7");
+        ImGui::SetClipboardText("1/4");
+        ctx->ItemClick("//Inspector/**/Radius", ImGuiMouseButton_Right);
+        ctx->ItemClick("//$FOCUSED/Paste");
+        CHECK(radius(t, 2) == 0.25);
+        ctx->ItemClick("//Inspector/**/Radius", ImGuiMouseButton_Right);
+        ctx->ItemClick("//$FOCUSED/Reset to default");
+        CHECK(radius(t, 2) == 0.5);
+    });
+}
+
 TEST_CASE("panels: an edit goes to all selected objects, of vectors only what was edited") {
     WindowTest t;
     t.run([&](ImGuiTestContext* ctx) {
@@ -139,6 +158,15 @@ TEST_CASE("panels: a name is typed in place after F2 and after a double click") 
         ctx->Yield(2);
         CHECK(object(t, 2).name == "matt ball");
         CHECK_FALSE(t.app->ui.tree.is_renaming);
+    });
+}
+
+TEST_CASE("panels: a material is dragged onto an object in the tree") {
+    WindowTest t(small_scene(), 1280, 1600);  // all rows are in sight
+    t.run([&](ImGuiTestContext* ctx) {
+        ctx->ItemDragAndDrop(row_of(ctx, item_of(MaterialId{4})),
+                             row_of(ctx, item_of(ObjectId{2})));
+        CHECK(object(t, 2).material == MaterialId{4});
     });
 }
 

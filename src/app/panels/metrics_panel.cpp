@@ -32,11 +32,22 @@ std::span<const float> taken(const MetricsState& metrics, const Ring& ring) {
     return {ring.data(), std::min(metrics.frames, MetricsState::kFrames)};
 }
 
-// A round limit above the slowest frames, with room; it moves in steps, not with each frame.
+// What the graph shows, in the theme's colours of lines.
+struct Line {
+    const char* name;
+    const Ring* ring;
+};
+std::array<Line, 4> lines_of(const MetricsState& m) {
+    return {{{"trace", &m.trace_ms},
+             {"display", &m.display_ms},
+             {"screen", &m.show_ms_of_frame},
+             {"interface", &m.interface_ms}}};
+}
+
+// A round limit above the slowest frames, with room; it moves in steps, not with each frame. A step
+// of the host may take many frames: it leaves the graph at the top.
 double graph_limit(const MetricsState& metrics) {
-    double most = 8;
-    for (const Ring* ring : {&metrics.frame_ms, &metrics.trace_ms})
-        most = std::max(most, static_cast<double>(quantile(taken(metrics, *ring), 0.98)));
+    const double most = static_cast<double>(quantile(taken(metrics, metrics.frame_ms), 0.98));
     for (const double limit : {20.0, 40.0, 80.0, 160.0, 400.0, 1000.0})
         if (most * 1.15 < limit) return limit;
     return most * 1.2;
@@ -51,12 +62,10 @@ void draw_frame_graph(const MetricsState& metrics, float height) {
     ImPlot::PushStyleColor(ImPlotCol_PlotBg, to_color(theme().window));
     ImPlot::PushStyleColor(ImPlotCol_PlotBorder, to_color(theme().line));
     ImPlot::PushStyleColor(ImPlotCol_AxisGrid, to_color(theme().line));
-    ImPlot::PushStyleColor(ImPlotCol_LegendBg, to_color(theme().window, 0.8f));
-    ImPlot::PushStyleColor(ImPlotCol_LegendBorder, ImVec4(0, 0, 0, 0));
     ImPlot::PushStyleVar(ImPlotStyleVar_PlotPadding, ImVec2(4, 4));
-    ImPlot::PushStyleVar(ImPlotStyleVar_LegendInnerPadding, ImVec2(4, 0));
     if (ImPlot::BeginPlot("##frames", ImVec2(-1, height),
-                          ImPlotFlags_NoMouseText | ImPlotFlags_NoInputs | ImPlotFlags_NoMenus)) {
+                          ImPlotFlags_NoMouseText | ImPlotFlags_NoInputs | ImPlotFlags_NoMenus |
+                              ImPlotFlags_NoLegend)) {
         ImPlot::SetupAxes(nullptr, nullptr,
                           ImPlotAxisFlags_NoTickLabels | ImPlotAxisFlags_NoGridLines |
                               ImPlotAxisFlags_NoTickMarks,
@@ -64,23 +73,37 @@ void draw_frame_graph(const MetricsState& metrics, float height) {
         ImPlot::SetupAxisFormat(ImAxis_Y1, "%g ms");
         ImPlot::SetupAxesLimits(0, MetricsState::kFrames, 0, graph_limit(metrics),
                                 ImPlotCond_Always);
-        ImPlot::SetupLegend(ImPlotLocation_North, ImPlotLegendFlags_Horizontal);
-        const std::pair<const char*, const Ring*> lines[] = {
-            {"trace", &metrics.trace_ms},
-            {"display", &metrics.display_ms},
-            {"to the screen", &metrics.show_ms_of_frame},
-            {"interface", &metrics.interface_ms}};
         ImPlotSpec spec;
         spec.Offset = offset;
         spec.LineWeight = 1.5f;
-        for (size_t i = 0; i < std::size(lines); ++i) {
+        const auto lines = lines_of(metrics);
+        for (size_t i = 0; i < lines.size(); ++i) {
             spec.LineColor = to_color(theme().graph[i]);
-            ImPlot::PlotLine(lines[i].first, lines[i].second->data(), count, 1, 0, spec);
+            ImPlot::PlotLine(lines[i].name, lines[i].ring->data(), count, 1, 0, spec);
         }
         ImPlot::EndPlot();
     }
-    ImPlot::PopStyleVar(2);
-    ImPlot::PopStyleColor(6);
+    ImPlot::PopStyleVar();
+    ImPlot::PopStyleColor(4);
+}
+
+// Below the graph: names with the colours of their lines, as many as there is room for.
+void draw_legend(const MetricsState& metrics, float width) {
+    const float size = std::floor(ImGui::GetFontSize() * 0.6f), start = ImGui::GetCursorPosX();
+    const auto lines = lines_of(metrics);
+    for (size_t i = 0; i < lines.size(); ++i) {
+        const float needed = size + 4 + ImGui::CalcTextSize(lines[i].name).x;
+        if (ImGui::GetCursorPosX() - start + needed > width) break;
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const float y = low.y + std::floor((ImGui::GetFrameHeight() - size) / 2);
+        ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + size, y + size},
+                                                  ImGui::GetColorU32(to_color(theme().graph[i])),
+                                                  2);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + 4);
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextDisabled("%s", lines[i].name);
+        ImGui::SameLine(0, 12);
+    }
 }
 
 // The card that renders, if one does.
@@ -120,23 +143,24 @@ std::vector<Figure> figures_of(const PanelContext& c) {
     const auto frames = taken(m, m.frame_ms), interface = taken(m, m.interface_ms);
     const float median = quantile(frames, 0.5), worst = quantile(frames, 0.99);
     std::vector<Figure> figures = {
-        {"Frames", fmt::format("{:.0f} a second, {:.1f} ms; 99 of 100 within {:.1f} ms",
+        {"Frames", fmt::format("{:.0f} fps, {:.1f} ms (99%: {:.1f})",
                                static_cast<double>(ImGui::GetIO().Framerate),
                                static_cast<double>(median), static_cast<double>(worst))},
-        {"Interface", fmt::format("{:.1f} ms; 99 of 100 within {:.1f} ms",
-                                  static_cast<double>(quantile(interface, 0.5)),
-                                  static_cast<double>(quantile(interface, 0.99)))},
+        {"Interface",
+         fmt::format("{:.1f} ms (99%: {:.1f})", static_cast<double>(quantile(interface, 0.5)),
+                     static_cast<double>(quantile(interface, 0.99)))},
         {"Trace", fmt::format("{:.1f} ms a step", s.step_ms)},
-        {"Display",
-         fmt::format("{:.1f} ms tone curve, {:.1f} ms to the texture", s.display_ms, m.show_ms)},
+        {"Display", fmt::format("{:.1f} ms tone curve", s.display_ms)},
+        {"To the screen", fmt::format("{:.1f} ms", m.show_ms)},
         {"Last change", fmt::format("{:.1f} ms", s.sync_ms)},
         {"Samples", fmt::format("{} of {}", s.samples, c.document.scene().render.samples), true},
-        {"Rate", count_text(s.samples_per_second) + "samples a second"},
+        {"Rate", count_text(s.samples_per_second) + "samples/s"},
         {"Time left", time_left_text(c)},
         {"Picture", fmt::format("{} x {}", s.width, s.height)},
         {"Objects", fmt::format("{} hittables, {} lights", s.hittables, s.lights), true},
-        {"Tree", fmt::format("{} levels, {} leaves, cost {:.1f}, built in {:.1f} ms", s.bvh.depth,
-                             s.bvh.leaf_count, s.bvh.sah_cost, s.bvh.build_seconds * 1e3)},
+        {"Tree", fmt::format("{} levels, {} leaves, cost {:.1f}", s.bvh.depth, s.bvh.leaf_count,
+                             s.bvh.sah_cost)},
+        {"Tree built in", fmt::format("{:.1f} ms", s.bvh.build_seconds * 1e3)},
         {"Scene and film", memory_text(s.memory_bytes), true},
         {"Program", memory_text(process_memory())},
         {"Renderer", s.backend},
@@ -214,7 +238,11 @@ void draw_metrics(PanelContext& c) {
                 {is_wide ? std::floor(space.x * 0.5f) : 0, is_wide ? 0 : height + 2 * line},
                 ImGuiChildFlags_None, ImGuiWindowFlags_NoScrollbar)) {
             draw_frame_graph(c.ui.metrics, height);
-            if (ImGui::Button(ICON_FA_COPY "  Copy as text"))
+            const float button = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;
+            const float left = ImGui::GetCursorPosX();
+            draw_legend(c.ui.metrics, width - button - 8);
+            ImGui::SetCursorPosX(left + width - button);
+            if (ui::icon_button(ICON_FA_COPY "###Copy as text", "Copy as text"))
                 ImGui::SetClipboardText(as_text(figures).c_str());
         }
         ImGui::EndChild();
