@@ -17,7 +17,8 @@ TEST_CASE("palette: contrast of black and white is 21") {
 TEST_CASE("palette: text has a contrast of 4.5 : 1 at least, in both themes") {
     for (const auto& [theme, p] :
          {std::pair{"dark", kDarkPalette}, std::pair{"light", kLightPalette}}) {
-        CAPTURE(theme);
+        const std::string name = theme;
+        CAPTURE(name);
         const std::vector<std::pair<const char*, Rgb>> grounds = {
             {"window", p.window}, {"panel", p.panel}, {"field", p.field}};
         const std::vector<std::pair<const char*, Rgb>> texts = {{"text", p.text},
@@ -27,8 +28,8 @@ TEST_CASE("palette: text has a contrast of 4.5 : 1 at least, in both themes") {
                                                                 {"error", p.error}};
         for (const auto& [ground_name, ground] : grounds)
             for (const auto& [text_name, text] : texts) {
-                CAPTURE(ground_name);
-                CAPTURE(text_name);
+                const std::string names = std::string(text_name) + " on " + ground_name;
+                CAPTURE(names);
                 CHECK(contrast_ratio(text, ground) >= 4.5);
             }
         CHECK(contrast_ratio(p.text, p.selected) >= 4.5);

@@ -39,8 +39,9 @@ TEST_CASE("AC-P1: Khronos PBR Neutral") {
 }
 
 TEST_CASE("AC-P1: the ACES fit and AgX") {
-    for (const auto& [x, aces, agx] :
+    for (const auto& row :
          {std::array{0.18, 0.26690, 0.2145}, {1.0, 0.80380, 0.5901}, {4.0, 0.97342, 0.8609}}) {
+        const double x = row[0], aces = row[1], agx = row[2];
         CAPTURE(x);
         CHECK(static_cast<double>(aces_curve(static_cast<float>(x))) ==
               doctest::Approx(aces).epsilon(1e-4));
