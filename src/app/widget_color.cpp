@@ -60,9 +60,9 @@ bool picker(Double3& linear) {
                       .high = 1e6,
                       .decimals = 3,
                       .relative = true};
-    const float width = (ImGui::GetFontSize() * 13 - 8) / 3;
+    const float width = (ImGui::GetFontSize() * 13 - px(8)) / 3;
     for (int i = 0; i < 3; ++i) {
-        if (i > 0) ImGui::SameLine(0, 4);
+        if (i > 0) ImGui::SameLine(0, px(4));
         ImGui::SetNextItemWidth(width);
         const ImVec4 mark = to_color(theme().axis[i], 0.75f);
         const char* const ids[] = {"##red", "##green", "##blue"};

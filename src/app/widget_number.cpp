@@ -80,8 +80,10 @@ void draw(const ImRect& box, ImGuiID id, const NumberRow& r, double value, bool 
                                                   ImDrawFlags_RoundCornersBottom);
     }
     const float padding = std::min(style.FramePadding.x, box.GetWidth() / 10);
-    const std::string text = mixed ? fitted("mixed", box.GetWidth() - 2 * padding)
-                                   : shown_number(r, value, box.GetWidth() - 2 * padding);
+    const float space = box.GetWidth() - 2 * padding;
+    const char* const mark_of_mixed =
+        ImGui::CalcTextSize("mixed").x <= space ? "mixed" : "\xe2\x80\x93";
+    const std::string text = mixed ? mark_of_mixed : shown_number(r, value, space);
     if (mixed) ImGui::PushStyleColor(ImGuiCol_Text, style.Colors[ImGuiCol_TextDisabled]);
     ImGui::RenderTextClipped({box.Min.x + padding, box.Min.y}, {box.Max.x - padding, box.Max.y},
                              text.c_str(), nullptr, nullptr, {1, 0.5f});

@@ -7,6 +7,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tp::ui {
 namespace {
@@ -53,6 +54,10 @@ void mark_as_heading(const char* name, bool open) {
 }
 
 }  // namespace
+
+float px(float pixels) {
+    return std::round(pixels * ImGui::GetFontSize() / 15);
+}
 
 void tooltip(const char* text) {
     if (!text || !*text) return;

@@ -102,6 +102,9 @@ RowEnd end_row(const std::string& copied, bool can_reset);
 /// Puts a label in the left column and goes to the right one; true if the label was double-clicked.
 bool label(const char* text, const char* help);
 
+/// Pixels of a design at scale 1, at the scale of the interface.
+float px(float pixels);
+
 /// A button that is grey with a reason where it cannot be pressed.
 bool button(const char* text, bool enabled = true, const char* reason = nullptr);
 /// A button without a frame, as wide as a frame is high.

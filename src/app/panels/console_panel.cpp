@@ -108,7 +108,7 @@ void level_toggles(ConsoleState& console) {
         }
         ImGui::PopStyleColor(2);
         ui::tooltip(fmt::format("{}: {}", level.name, level.help).c_str());
-        ImGui::SameLine(0, 2);
+        ImGui::SameLine(0, ui::px(2));
     }
 }
 
@@ -136,7 +136,7 @@ bool search_field(ConsoleState& console, const Shown& shown, float width) {
     }
     ui::tooltip("Enter goes to the line before, Shift+Enter to the next one");
     if (console.search.empty()) return jumps;
-    ImGui::SameLine(0, 2);
+    ImGui::SameLine(0, ui::px(2));
     if (ui::icon_button(ICON_FA_CHEVRON_UP "##before", "The line before", !shown.found.empty()))
         step(console, shown, -1), jumps = true;
     ImGui::SameLine(0, 0);
@@ -208,16 +208,17 @@ void draw_console(PanelContext& c) {
     if (begin_panel(c, "Console")) {
         update(shown, console);
         level_toggles(console);
-        ImGui::SameLine(0, 8);
-        const float buttons = ImGui::GetFrameHeight() * (console.search.empty() ? 2.0f : 4.0f) + 24;
+        ImGui::SameLine(0, ui::px(8));
+        const float buttons =
+            ImGui::GetFrameHeight() * (console.search.empty() ? 2.0f : 4.0f) + ui::px(24);
         const float space = std::max(2.0f, ImGui::GetContentRegionAvail().x - buttons);
         ImGui::SetNextItemWidth(space * 0.55f);
         ImGui::InputTextWithHint("##filter", ICON_FA_FILTER "  word, -without", &console.filter,
                                  ImGuiInputTextFlags_EscapeClearsAll);
         ui::tooltip("Shows lines with these words; a comma means or, a minus leaves lines out");
-        ImGui::SameLine(0, 4);
+        ImGui::SameLine(0, ui::px(4));
         const bool jumps = search_field(console, shown, space * 0.45f);
-        ImGui::SameLine(0, 4);
+        ImGui::SameLine(0, ui::px(4));
         if (ui::icon_button(ICON_FA_COPY "###copy", "Copies the lines that are shown"))
             copy_lines(shown);
         ImGui::SameLine(0, 0);

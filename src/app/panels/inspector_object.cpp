@@ -139,12 +139,12 @@ void material_slot(PropertyRows<Object>& rows, const std::vector<ObjectId>& ids)
     const bool mixed = !rows.is_same(material_of);
     const Material* material = find(c.document.scene(), current);
     ui::begin_row("Material", "What the object is made of; several objects may share one");
-    const float button = ImGui::GetFrameHeight() + 2;
+    const float button = ImGui::GetFrameHeight() + ui::px(2);
     const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x - button);
     ImGui::SetNextItemWidth(width);
     const std::string name = mixed ? "mixed" : material ? display_name(*material) : "default";
     if (ImGui::BeginCombo("##material",
-                          ui::fitted(name, width - ImGui::GetFrameHeight() - 12).c_str())) {
+                          ui::fitted(name, width - ImGui::GetFrameHeight() - ui::px(12)).c_str())) {
         material_list(c, ids, current, mixed);
         ImGui::EndCombo();
     }
@@ -153,7 +153,7 @@ void material_slot(PropertyRows<Object>& rows, const std::vector<ObjectId>& ids)
             set_material(c, ids, *static_cast<const MaterialId*>(payload->Data));
         ImGui::EndDragDropTarget();
     }
-    ImGui::SameLine(0, 2);
+    ImGui::SameLine(0, ui::px(2));
     if (ui::icon_button(ICON_FA_PLUS "##new", "New: a copy, another kind, or a preset"))
         ImGui::OpenPopup("new material");
     new_material_menu(c, ids, current);

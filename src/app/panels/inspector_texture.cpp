@@ -142,15 +142,15 @@ TexturedColorChange row_textured_color(PanelContext& c, const char* name, const 
     const TexturedColor before = value;
     ui::begin_row(name, help, mixed || !(value == standard));
     ImGui::PushID(name);
-    const float button = ImGui::GetFrameHeight() + 2;
+    const float button = ImGui::GetFrameHeight() + ui::px(2);
     const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x - button);
     const Texture* texture = find(c.document.scene(), value.texture);
     if (texture && !mixed) {
         draw_thumbnail(c, *texture, ImGui::GetFrameHeight());
-        ImGui::SameLine(0, 4);
-        const float space = std::max(1.0f, width - ImGui::GetFrameHeight() - 4);
+        ImGui::SameLine(0, ui::px(4));
+        const float space = std::max(1.0f, width - ImGui::GetFrameHeight() - ui::px(4));
         const std::string text =
-            ui::fitted(texture_name(c.document.scene(), value.texture), space - 16);
+            ui::fitted(texture_name(c.document.scene(), value.texture), space - ui::px(16));
         if (ImGui::Button((text + "###texture").c_str(), {space, 0}))
             c.document.select(item_of(value.texture));
         ui::tooltip("Shows the texture here");
@@ -158,7 +158,7 @@ TexturedColorChange row_textured_color(PanelContext& c, const char* name, const 
         change.color = ui::color_field(name, value.color, help, mixed, width);
         if (change.color) value.texture = {};
     }
-    ImGui::SameLine(0, 2);
+    ImGui::SameLine(0, ui::px(2));
     if (ui::icon_button(ICON_FA_ELLIPSIS_VERTICAL "##slot", "A texture in place of the colour"))
         ImGui::OpenPopup("textures");
     menu_of_textures(c, value, not_this, change);
@@ -176,7 +176,7 @@ void row_image(PanelContext& c, const char* name, const char* help, const ImageF
     ui::begin_row(name, help);
     const float button =
         ImGui::CalcTextSize("Open\xe2\x80\xa6").x + ImGui::GetStyle().FramePadding.x * 2;
-    const float space = std::max(1.0f, ImGui::GetContentRegionAvail().x - button - 8);
+    const float space = std::max(1.0f, ImGui::GetContentRegionAvail().x - button - ui::px(8));
     ImGui::AlignTextToFramePadding();
     const bool is_loading = c.ui.images.is_busy(owner);
     const std::string text = is_loading          ? "Loading\xe2\x80\xa6"
@@ -190,7 +190,7 @@ void row_image(PanelContext& c, const char* name, const char* help, const ImageF
     ImGui::TextUnformatted(ui::fitted(shown, space).c_str());
     ui::tooltip(text.c_str());
     ImGui::SameLine();
-    ImGui::SetCursorPosX(left + space + 8);
+    ImGui::SetCursorPosX(left + space + ui::px(8));
     ImGui::BeginDisabled(is_loading);
     if (ImGui::Button("Open\xe2\x80\xa6")) c.ui.images.ask(owner, c.document.scene(), file.path);
     ImGui::EndDisabled();

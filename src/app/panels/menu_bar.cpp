@@ -21,10 +21,11 @@ void draw_tools(PanelContext& c) {
 
 // The scene's name at the right, as much of it as there is room for.
 void draw_title(PanelContext& c) {
-    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - 24;
+    const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - ui::px(24);
     if (room < ImGui::GetFontSize() * 3) return;
     const std::string title = c.document.title(), shown = ui::fitted(title, room);
-    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x - 16);
+    ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::CalcTextSize(shown.c_str()).x -
+                         ui::px(16));
     ImGui::TextUnformatted(shown.c_str());
     ui::tooltip(c.document.file().string().c_str());
 }

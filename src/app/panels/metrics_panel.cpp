@@ -62,7 +62,7 @@ void draw_frame_graph(const MetricsState& metrics, float height) {
     ImPlot::PushStyleColor(ImPlotCol_PlotBg, to_color(theme().window));
     ImPlot::PushStyleColor(ImPlotCol_PlotBorder, to_color(theme().line));
     ImPlot::PushStyleColor(ImPlotCol_AxisGrid, to_color(theme().line));
-    ImPlot::PushStyleVar(ImPlotStyleVar_PlotPadding, ImVec2(4, 4));
+    ImPlot::PushStyleVar(ImPlotStyleVar_PlotPadding, ImVec2(4, 8));
     if (ImPlot::BeginPlot("##frames", ImVec2(-1, height),
                           ImPlotFlags_NoMouseText | ImPlotFlags_NoInputs | ImPlotFlags_NoMenus |
                               ImPlotFlags_NoLegend)) {
@@ -92,17 +92,17 @@ void draw_legend(const MetricsState& metrics, float width) {
     const float size = std::floor(ImGui::GetFontSize() * 0.6f), start = ImGui::GetCursorPosX();
     const auto lines = lines_of(metrics);
     for (size_t i = 0; i < lines.size(); ++i) {
-        const float needed = size + 4 + ImGui::CalcTextSize(lines[i].name).x;
+        const float needed = size + ui::px(4) + ImGui::CalcTextSize(lines[i].name).x;
         if (ImGui::GetCursorPosX() - start + needed > width) break;
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const float y = low.y + std::floor((ImGui::GetFrameHeight() - size) / 2);
         ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + size, y + size},
                                                   ImGui::GetColorU32(to_color(theme().graph[i])),
                                                   2);
-        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + 4);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + size + ui::px(4));
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", lines[i].name);
-        ImGui::SameLine(0, 12);
+        ImGui::SameLine(0, ui::px(12));
     }
 }
 
@@ -231,7 +231,7 @@ void draw_metrics(PanelContext& c) {
         const float line = ImGui::GetFontSize();
         // Wide and low: the graph stands beside the table, else above it.
         const bool is_wide = space.x > 40 * line;
-        const float height = is_wide ? std::max(4 * line, space.y - 2 * line - 4)
+        const float height = is_wide ? std::max(4 * line, space.y - 2 * line - ui::px(4))
                                      : std::clamp(space.y * 0.35f, 5 * line, 14 * line);
         if (ImGui::BeginChild(
                 "graph",
@@ -240,7 +240,7 @@ void draw_metrics(PanelContext& c) {
             draw_frame_graph(c.ui.metrics, height);
             const float button = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;
             const float left = ImGui::GetCursorPosX();
-            draw_legend(c.ui.metrics, width - button - 8);
+            draw_legend(c.ui.metrics, width - button - ui::px(8));
             ImGui::SetCursorPosX(left + width - button);
             if (ui::icon_button(ICON_FA_COPY "###Copy as text", "Copy as text"))
                 ImGui::SetClipboardText(as_text(figures).c_str());

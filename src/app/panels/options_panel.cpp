@@ -22,11 +22,11 @@ void choose_camera(PanelContext& c) {
     const CameraId active = active_camera(*scene).id;
     ui::begin_row("Camera", "The camera that is looked through and rendered");
     const float space =
-        std::max(1.0f, ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - 2);
+        std::max(1.0f, ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - ui::px(2));
     ImGui::SetNextItemWidth(space);
     const std::string name = item_name(*scene, item_of(active));
     if (ImGui::BeginCombo("##camera",
-                          ui::fitted(name, space - ImGui::GetFrameHeight() - 12).c_str())) {
+                          ui::fitted(name, space - ImGui::GetFrameHeight() - ui::px(12)).c_str())) {
         for (const Camera& camera : scene->cameras) {
             ImGui::PushID(static_cast<int>(camera.id.value));
             if (ImGui::Selectable(item_name(*scene, item_of(camera.id)).c_str(),
@@ -37,7 +37,7 @@ void choose_camera(PanelContext& c) {
         }
         ImGui::EndCombo();
     }
-    ImGui::SameLine(0, 2);
+    ImGui::SameLine(0, ui::px(2));
     if (ui::icon_button(ICON_FA_PLUS "##camera", "Another camera where you look from now"))
         add_camera(c);
 }

@@ -83,8 +83,9 @@ void draw_heading(PanelContext& c, const Stretch& s, float height) {
     const size_t total = c.ui.tree.rows.total(text.section);
     const std::string count =
         s.count == total ? fmt::format("{}", total) : fmt::format("{} of {}", s.count, total);
-    draw->AddText({low.x + ImGui::GetFontSize() * 1.2f + ImGui::CalcTextSize(text.name).x + 8, y},
-                  dim, count.c_str());
+    draw->AddText(
+        {low.x + ImGui::GetFontSize() * 1.2f + ImGui::CalcTextSize(text.name).x + ui::px(8), y},
+        dim, count.c_str());
     if (text.add || text.section == TreeSection::Cameras) {
         ImGui::SetCursorScreenPos({low.x + width - plus, low.y + std::floor((height - plus) / 2)});
         if (ui::icon_button(ICON_FA_PLUS "##add", "Add")) {

@@ -70,7 +70,7 @@ void draw_icon(PanelContext& c, const Scene& scene, const Row& row, TreeSection 
     if (c.ui.previews && row.texture) picture = c.ui.previews->image(row.texture->file.image);
     if (picture) {
         draw->AddImageRounded(static_cast<ImTextureID>(picture), low, {low.x + size, low.y + size},
-                              {0, 0}, {1, 1}, IM_COL32_WHITE, 3);
+                              {0, 0}, {1, 1}, IM_COL32_WHITE, ui::px(3));
         return;
     }
     const char* const icon = icon_of(row, section);
@@ -187,10 +187,10 @@ void draw_scene_row(PanelContext& c, const Scene& scene, TreeSection section, si
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x,
                 indent = section == TreeSection::Background ? 0 : ImGui::GetFontSize() * 0.8f,
-                icon = std::floor(height - 4), gap = 6, eye = ImGui::GetFrameHeight();
+                icon = height - ui::px(4), gap = ui::px(6), eye = ImGui::GetFrameHeight();
     if (tree.is_renaming && tree.renamed == item) {
-        draw_icon(c, scene, row, section, {low.x + indent, low.y + 2}, icon);
-        ImGui::SetCursorScreenPos({low.x + indent + icon + gap - 4, low.y});
+        draw_icon(c, scene, row, section, {low.x + indent, low.y + ui::px(2)}, icon);
+        ImGui::SetCursorScreenPos({low.x + indent + icon + ui::px(2), low.y});
         draw_rename(c, row, height);
     } else {
         const bool is_selected = c.document.is_selected(item);
@@ -207,7 +207,7 @@ void draw_scene_row(PanelContext& c, const Scene& scene, TreeSection section, si
             scene_row_menu(c, tree.menu_items);
             ImGui::EndPopup();
         }
-        draw_icon(c, scene, row, section, {low.x + indent, low.y + 2}, icon);
+        draw_icon(c, scene, row, section, {low.x + indent, low.y + ui::px(2)}, icon);
         const float space = width - indent - icon - gap - eye;
         const std::string text = ui::fitted(row.name, space);
         const bool is_dim = row.object && !row.object->visible;

@@ -56,7 +56,7 @@ void draw_progress(const PanelContext& c) {
     if (share <= 0 || share >= 1) return;
     const ImVec2 low = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth() * static_cast<float>(share);
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + 2},
+    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + ui::px(2)},
                                               ImGui::GetColorU32(to_color(theme().accent)));
 }
 
