@@ -93,16 +93,16 @@ void draw(const ImRect& box, ImGuiID id, const NumberRow& r, double value, bool 
 }  // namespace
 
 std::string shown_number(const NumberRow& r, double value, float width) {
-    std::string text;
-    // Units go first, then digits, where the field is narrow.
-    for (int digits = 4; digits >= 1; --digits) {
+    // Units go first, then digits, where the field is narrow. One digit alone would be another
+    // number.
+    for (int digits = 4; digits >= 2; --digits) {
         const std::string number = short_number(value, r.decimals, digits);
         for (const char* unit : {r.unit, ""}) {
-            text = number + unit;
+            const std::string text = number + unit;
             if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
         }
     }
-    return text;
+    return "\xe2\x80\xa6";
 }
 
 bool number_field(const char* label, const NumberRow& r, double& value, bool mixed,

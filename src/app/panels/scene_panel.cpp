@@ -78,14 +78,15 @@ void draw_heading(PanelContext& c, const Stretch& s, float height) {
     const float y = low.y + std::floor((height - ImGui::GetFontSize()) / 2);
     const ImU32 dim = ImGui::GetColorU32(ImGuiCol_TextDisabled);
     draw->AddText({low.x, y}, dim, s.is_open ? ICON_FA_CHEVRON_DOWN : ICON_FA_CHEVRON_RIGHT);
-    draw->AddText({low.x + ImGui::GetFontSize() * 1.2f, y}, ImGui::GetColorU32(ImGuiCol_Text),
-                  text.name);
+    const float left = low.x + ImGui::GetFontSize() * 1.2f, right = low.x + width - plus;
+    const std::string name = ui::fitted(text.name, right - left);
+    draw->AddText({left, y}, ImGui::GetColorU32(ImGuiCol_Text), name.c_str());
     const size_t total = c.ui.tree.rows.total(text.section);
     const std::string count =
         s.count == total ? fmt::format("{}", total) : fmt::format("{} of {}", s.count, total);
-    draw->AddText(
-        {low.x + ImGui::GetFontSize() * 1.2f + ImGui::CalcTextSize(text.name).x + ui::px(8), y},
-        dim, count.c_str());
+    const float after = left + ImGui::CalcTextSize(name.c_str()).x + ui::px(8);
+    if (after + ImGui::CalcTextSize(count.c_str()).x < right)
+        draw->AddText({after, y}, dim, count.c_str());
     if (text.add || text.section == TreeSection::Cameras) {
         ImGui::SetCursorScreenPos({low.x + width - plus, low.y + std::floor((height - plus) / 2)});
         if (ui::icon_button(ICON_FA_PLUS "##add", "Add")) {
