@@ -2,6 +2,7 @@
 
 #include <teapath/core/error.h>
 #include <teapath/core/log.h>
+#include <teapath/core/parallel.h>
 #include <teapath/device/pick.h>
 #include <teapath/render/scheduler.h>
 
@@ -136,6 +137,7 @@ void RenderWorker::answer_picks() {
 }
 
 void RenderWorker::run(SessionOptions options) {
+    lower_thread_priority();  // the interface goes first
     options.launch_seconds = kLaunchSeconds;
     // A device that fails is left for the host; the scene is not touched.
     for (;;) {
@@ -302,7 +304,7 @@ void RenderWorker::run_tasks(Session& session) {
 void RenderWorker::publish(Session& session, bool is_preview) {
     const auto start = Clock::now();
     DisplayImage image = session.display_image();
-    const uint64_t invalid_samples = session.counters().invalid_samples;
+    const RenderCounters counters = session.counters();
     const std::lock_guard lock(mutex_);
     status_.display_ms = seconds_since(start) * 1e3;
     status_.scene = current_.scene;
@@ -310,7 +312,12 @@ void RenderWorker::publish(Session& session, bool is_preview) {
     status_.width = image.width;
     status_.height = image.height;
     status_.memory_bytes = session.memory_bytes();
-    status_.invalid_samples = invalid_samples;
+    status_.invalid_samples = counters.invalid_samples;
+    if (counters.samples > counted_.samples)
+        status_.rays_per_second = pixels_per_second_ *
+                                  static_cast<double>(counters.rays - counted_.rays) /
+                                  static_cast<double>(counters.samples - counted_.samples);
+    counted_ = counters;
     image_ = std::move(image);
     status_.is_done = is_finished(session);
     status_.is_preview = is_preview;

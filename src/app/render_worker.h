@@ -26,6 +26,7 @@ struct RenderStatus {
     int64_t samples = 0;
     int width = 0, height = 0;
     double samples_per_second = 0;  // camera samples
+    double rays_per_second = 0;     // segments of paths, and queries for light
     double step_ms = 0;             // tracing
     double display_ms = 0;          // tone curve and copy
     double sync_ms = 0;             // of the last change of the scene
@@ -121,6 +122,7 @@ private:
     Request current_;
     std::shared_ptr<const Scene> rendered_;  // the scene of the session
     double pixels_per_second_ = 2e6;
+    RenderCounters counted_;  // as of the last picture
     int divider_ = 1;
     int64_t target_ = 0;
     double limit_seconds_ = 0;  // of tracing; 0 = none

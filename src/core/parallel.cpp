@@ -1,6 +1,8 @@
 #include <teapath/core/parallel.h>
 
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -92,6 +94,12 @@ void ThreadPool::for_each(int64_t count, const std::function<void(int64_t)>& bod
         done_.wait(lock, [&] { return loop->active == 0; });
     }
     if (loop->error) std::rethrow_exception(loop->error);
+}
+
+void lower_thread_priority() {
+    // Linux keeps a niceness for each thread, which threads that it starts inherit.
+    constexpr int kNiceness = 5;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNiceness);
 }
 
 ThreadPool& shared_pool() {

@@ -47,8 +47,8 @@ public:
         : device_(device),
           name_(device_name(device)),
           launch_seconds_(launch_seconds),
-          invalid_(1) {
-        invalid_.clear_to_zero(stream_.get());
+          count_sums_(1) {
+        count_sums_.clear_to_zero(stream_.get());
     }
 
     BackendKind kind() const override { return BackendKind::Cuda; }
@@ -72,9 +72,10 @@ public:
         params_.height = setup.height;
         samples_ = 0;
         pixels_ = static_cast<uint32_t>(setup.width) * static_cast<uint32_t>(setup.height);
-        blocks_per_launch_ =
-            std::clamp<int64_t>(static_cast<int64_t>(kLaunchBytes / (sizeof(BlockSum) * pixels_)),
-                                1, kMaxBlocksPerLaunch);
+        blocks_per_launch_ = std::clamp<int64_t>(
+            static_cast<int64_t>(kLaunchBytes /
+                                 ((sizeof(BlockSum) + sizeof(TraceCounts)) * pixels_)),
+            1, kMaxBlocksPerLaunch);
         totals_.resize(pixels_, kFilmSlack);
         open_.resize(pixels_, kFilmSlack);
         feature_sums_.resize(setup.features ? pixels_ : 0, kFilmSlack);
@@ -139,7 +140,8 @@ public:
 
     size_t memory_bytes() const override {
         size_t bytes = scene_.bytes() + totals_.allocated_bytes() + open_.allocated_bytes() +
-                       feature_sums_.allocated_bytes() + sums_.allocated_bytes();
+                       feature_sums_.allocated_bytes() + sums_.allocated_bytes() +
+                       counts_.allocated_bytes();
         for (const auto& image : images_)
             bytes += image->radiance.allocated_bytes();
         return bytes;
@@ -147,9 +149,10 @@ public:
 
     RenderCounters counters() const override {
         RenderCounters counters = counters_;
-        unsigned long long invalid = 0;
-        invalid_.download(&invalid, stream_.get());
-        counters.invalid_samples = invalid;
+        LaunchCounts counts{};
+        count_sums_.download(&counts, stream_.get());
+        counters.invalid_samples = counts.invalid;
+        counters.rays = counts.rays;
         return counters;
     }
 
@@ -175,11 +178,13 @@ private:
             static_cast<int32_t>((last - 1) / kBlockSamples - launch.first_block + 1);
         const size_t sums = size_t{pixels_} * static_cast<size_t>(launch.block_count);
         if (sums_.size() < sums) sums_.resize(sums);
+        if (counts_.size() < sums) counts_.resize(sums);
         launch.sums = sums_.data();
         launch.open = open_.data();
-        launch.invalid = invalid_.data();
+        launch.counts = counts_.data();
         if (!trace(launch, cancel)) return false;
-        launch_fold(launch, pixels_, totals_.data(), open_.data(), stream_.get());
+        launch_fold(launch, pixels_, totals_.data(), open_.data(), count_sums_.data(),
+                    stream_.get());
         if (setup_.features)
             launch_features(features_, params_, first, last, feature_sums_.data(), stream_.get());
         stream_.wait();
@@ -246,7 +251,8 @@ private:
     DeviceBuffer<BlockSum> open_;
     DeviceBuffer<BlockSum> sums_;
     DeviceBuffer<FeatureSum> feature_sums_;
-    DeviceBuffer<unsigned long long> invalid_;
+    DeviceBuffer<TraceCounts> counts_;
+    DeviceBuffer<LaunchCounts> count_sums_;
     RenderCounters counters_;
 };
 

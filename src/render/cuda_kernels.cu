@@ -5,6 +5,8 @@
 #include <teapath/kernel/trace_pixel.h>
 #include <teapath/render/kernel_report.h>
 
+#include <cub/block/block_reduce.cuh>
+
 namespace tp {
 namespace {
 
@@ -28,9 +30,13 @@ __global__ void __launch_bounds__(kTraceThreads)
         static_cast<uint32_t>(params.width) * static_cast<uint32_t>(params.height);
 
     BlockSum sum = first > block_start ? launch.open[pixel] : BlockSum{0, 0, 0, 0};
-    const uint32_t invalid = trace_pixel<kFeatures>(params, x, y, first, last, sum);
-    launch.sums[static_cast<size_t>(blockIdx.y) * pixels + pixel] = sum;
-    if (invalid > 0) atomicAdd(launch.invalid, static_cast<unsigned long long>(invalid));
+    const TraceCounts counts = trace_pixel<kFeatures>(params, x, y, first, last, sum);
+    const size_t slot = static_cast<size_t>(blockIdx.y) * pixels + pixel;
+    launch.sums[slot] = sum;
+    // Nothing here that the lanes of a warp do together, an addition to one address neither: other
+    // lanes are still in the loop, and the compiler (CUDA 13.0) would overwrite uniform registers
+    // that they read.
+    launch.counts[slot] = counts;
 }
 
 template <uint32_t kFeatures>
@@ -59,9 +65,29 @@ __global__ void __launch_bounds__(kTraceThreads)
         params, static_cast<Real>(x) + Real(0.5), static_cast<Real>(y) + Real(0.5));
 }
 
+// Adds what a pixel's blocks have counted; all threads of a group call it.
+__device__ void add_counts(const TraceLaunch& launch, uint32_t pixel, uint32_t pixels,
+                           LaunchCounts& sum) {
+    using Reduce = cub::BlockReduce<unsigned long long, kFilmThreads>;
+    __shared__ typename Reduce::TempStorage shared;
+    unsigned long long rays = 0, invalid = 0;
+    for (int32_t b = 0; b < launch.block_count && pixel < pixels; ++b) {
+        const TraceCounts counts = launch.counts[static_cast<size_t>(b) * pixels + pixel];
+        rays += counts.rays;
+        invalid += counts.invalid;
+    }
+    rays = Reduce(shared).Sum(rays);
+    __syncthreads();
+    invalid = Reduce(shared).Sum(invalid);
+    if (threadIdx.x > 0) return;
+    atomicAdd(&sum.rays, rays);
+    if (invalid > 0) atomicAdd(&sum.invalid, invalid);
+}
+
 __global__ void fold_kernel(const __grid_constant__ TraceLaunch launch, uint32_t pixels,
-                            Total* totals, BlockSum* open) {
+                            Total* totals, BlockSum* open, LaunchCounts* counts) {
     const uint32_t pixel = blockIdx.x * kFilmThreads + threadIdx.x;
+    add_counts(launch, pixel, pixels, *counts);
     if (pixel >= pixels) return;
     Total total = totals[pixel];
     BlockSum rest{0, 0, 0, 0};
@@ -126,9 +152,9 @@ void launch_hittables(uint32_t features, const LaunchParams& params, uint32_t* h
 }
 
 void launch_fold(const TraceLaunch& launch, uint32_t pixels, Total* totals, BlockSum* open,
-                 cudaStream_t stream) {
+                 LaunchCounts* counts, cudaStream_t stream) {
     fold_kernel<<<groups(pixels, kFilmThreads), kFilmThreads, 0, stream>>>(launch, pixels, totals,
-                                                                           open);
+                                                                           open, counts);
     check(cudaGetLastError());
 }
 

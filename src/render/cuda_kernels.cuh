@@ -12,6 +12,11 @@ namespace tp {
 
 inline constexpr int kTraceThreads = 128;
 
+/// Sums over launches; see TraceCounts.
+struct LaunchCounts {
+    unsigned long long rays, invalid;
+};
+
 /// One launch of the path tracer: blocks [first_block, first_block + block_count) of the samples
 /// [first, last) of the pixels of some groups of threads.
 struct TraceLaunch {
@@ -23,7 +28,7 @@ struct TraceLaunch {
     uint32_t group_count = 0;
     BlockSum* sums = nullptr;        // block_count planes
     const BlockSum* open = nullptr;  // what the first block holds already
-    unsigned long long* invalid = nullptr;
+    TraceCounts* counts = nullptr;   // block_count planes
 };
 
 /// The pixel of thread `i`: warps cover 8 x 4 pixels, so that their rays stay together.
@@ -51,8 +56,9 @@ void launch_hittables(uint32_t features, const LaunchParams& params, uint32_t* h
                       cudaStream_t stream);
 
 /// Takes the sums of a launch, block after block, into the totals; an open last block stays open.
+/// Adds its counts to `counts`.
 void launch_fold(const TraceLaunch& launch, uint32_t pixels, Total* totals, BlockSum* open,
-                 cudaStream_t stream);
+                 LaunchCounts* counts, cudaStream_t stream);
 
 /// RGB bytes of the film.
 void launch_display(const Total* totals, const BlockSum* open, uint32_t pixels, int64_t samples,

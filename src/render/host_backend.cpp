@@ -76,17 +76,20 @@ public:
     }
 
     bool render(const SampleRange& range, const std::atomic<bool>& cancel) override {
-        std::atomic<uint64_t> invalid = 0;
+        std::atomic<uint64_t> rays = 0, invalid = 0;
         const int columns = (setup_.width + kTileSize - 1) / kTileSize;
         const int rows = (setup_.height + kTileSize - 1) / kTileSize;
         with_variant(arrays_.features, [&]<uint32_t kFeatures>() {
             pool_.for_each(int64_t{columns} * rows, [&](int64_t i) {
                 if (cancel.load(std::memory_order_relaxed)) return;
-                invalid += render_tile<kFeatures>(
+                const RenderCounters tile = render_tile<kFeatures>(
                     tile_at(static_cast<int>(i % columns), static_cast<int>(i / columns)), range);
+                rays += tile.rays;
+                invalid += tile.invalid_samples;
             });
         });
         counters_.samples += static_cast<uint64_t>(range.count) * totals_.size();
+        counters_.rays += rays;
         counters_.invalid_samples += invalid;
         samples_ = range.first + range.count;
         return !cancel;
@@ -131,38 +134,38 @@ private:
     }
 
     template <uint32_t kFeatures>
-    uint64_t render_tile(const Tile& tile, const SampleRange& range) {
-        uint64_t invalid = 0;
+    RenderCounters render_tile(const Tile& tile, const SampleRange& range) {
+        RenderCounters counters;
         for (uint32_t y = tile.y0; y < tile.y1; ++y) {
             for (uint32_t x = tile.x0; x < tile.x1; ++x) {
                 const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(setup_.width) + x;
-                invalid += render_pixel<kFeatures>(x, y, range, totals_[pixel], open_[pixel]);
+                render_pixel<kFeatures>(x, y, range, totals_[pixel], open_[pixel], counters);
                 if (!setup_.features) continue;
                 for (int64_t s = range.first; s < range.first + range.count; ++s)
                     add_features<kFeatures>(params_, x, y, static_cast<uint64_t>(s),
                                             features_[pixel]);
             }
         }
-        return invalid;
+        return counters;
     }
 
     // Samples block by block; each full block is folded into the total.
     template <uint32_t kFeatures>
-    uint64_t render_pixel(uint32_t x, uint32_t y, const SampleRange& range, Total& total,
-                          BlockSum& open) {
-        uint64_t invalid = 0;
+    void render_pixel(uint32_t x, uint32_t y, const SampleRange& range, Total& total,
+                      BlockSum& open, RenderCounters& counters) {
         const int64_t end = range.first + range.count;
         for (int64_t first = range.first; first < end;) {
             const int64_t block_end = (first / kBlockSamples + 1) * kBlockSamples;
             const int64_t last = std::min(end, block_end);
-            invalid += trace_pixel<kFeatures>(params_, x, y, first, last, open);
+            const TraceCounts counts = trace_pixel<kFeatures>(params_, x, y, first, last, open);
+            counters.rays += counts.rays;
+            counters.invalid_samples += counts.invalid;
             if (last == block_end) {
                 fold_block(total, open);
                 open = BlockSum{};
             }
             first = last;
         }
-        return invalid;
     }
 
     // The display pass: row by row into `pixels`, in the form that `pack` gives a colour.

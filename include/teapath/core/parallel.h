@@ -39,6 +39,10 @@ private:
     bool stopping_ = false;
 };
 
+/// The calling thread, and those that it starts from here on, leave the cores to other threads of
+/// this program and of others when these want them. Nothing where the system refuses.
+void lower_thread_priority();
+
 /// The process-wide pool for builds and file work (all cores).
 ThreadPool& shared_pool();
 

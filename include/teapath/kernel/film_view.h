@@ -49,6 +49,12 @@ struct FeatureSum {
     Real hits = 0;
 };
 
+/// What was counted while samples were traced.
+struct TraceCounts {
+    uint32_t rays = 0;     // segments of paths, and queries for light
+    uint32_t invalid = 0;  // samples that were not finite
+};
+
 /// The film's mean after `samples`: total, its compensation and the block that is not full yet.
 TP_HD Vec3 mean_radiance(const Total& total, const BlockSum& open, int64_t samples) {
     const Real scale = samples > 0 ? 1 / static_cast<Real>(samples) : 0;

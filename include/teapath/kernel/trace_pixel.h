@@ -6,13 +6,13 @@
 
 namespace tp {
 
-/// Adds samples [first, last) of pixel (x, y) to `block`; returns how many were not finite. A lane
-/// that ends a path begins the next at once, so that on a GPU the lanes of a warp stay busy.
+/// Adds samples [first, last) of pixel (x, y) to `block`. A lane that ends a path begins the next
+/// at once, so that on a GPU the lanes of a warp stay busy.
 template <uint32_t kFeatures>
-TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, int64_t first,
-                           int64_t last, BlockSum& block) {
+TP_HD TraceCounts trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, int64_t first,
+                              int64_t last, BlockSum& block) {
     const uint32_t pixel = y * static_cast<uint32_t>(params.width) + x;
-    uint32_t invalid = 0;
+    TraceCounts counts;
     int64_t sample = first;
     Sampler sampler = path_sampler(params, pixel, static_cast<uint64_t>(sample));
     PathState path = start_camera_path<kFeatures>(params, sampler, x, y);
@@ -20,13 +20,16 @@ TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, i
         const Hit hit = intersect<kFeatures>(params, path);
         ShadowQuery shadow;
         const bool goes_on = shade<kFeatures>(params, sampler, hit, path, shadow);
-        if constexpr ((kFeatures & kFeatureLights) != 0)
+        ++counts.rays;
+        if constexpr ((kFeatures & kFeatureLights) != 0) {
             connect_to_light<kFeatures>(params, shadow, path);
+            counts.rays += shadow.is_active;
+        }
         if (goes_on) continue;
 
         bool is_valid;
         const Vec3 radiance = finish_path(path, is_valid);
-        invalid += !is_valid;
+        counts.invalid += !is_valid;
         block.x += radiance.x;
         block.y += radiance.y;
         block.z += radiance.z;
@@ -36,7 +39,7 @@ TP_HD uint32_t trace_pixel(const LaunchParams& params, uint32_t x, uint32_t y, i
             path = start_camera_path<kFeatures>(params, sampler, x, y);
         }
     }
-    return invalid;
+    return counts;
 }
 
 }  // namespace tp

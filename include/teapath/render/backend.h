@@ -25,6 +25,7 @@ struct SampleRange {
 
 struct RenderCounters {
     uint64_t samples = 0;          // camera samples traced since the backend was made
+    uint64_t rays = 0;             // segments of paths, and queries for light
     uint64_t invalid_samples = 0;  // NaN, infinite or over kMaxRadiance, black in the film
 };
 

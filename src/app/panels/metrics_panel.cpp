@@ -155,6 +155,7 @@ std::vector<Figure> figures_of(const PanelContext& c) {
         {"Last change", fmt::format("{:.1f} ms", s.sync_ms)},
         {"Samples", fmt::format("{} of {}", s.samples, c.document.scene().render.samples), true},
         {"Rate", count_text(s.samples_per_second) + "samples/s"},
+        {"Rays", count_text(s.rays_per_second) + "rays/s"},
         {"Time left", time_left_text(c)},
         {"Picture", fmt::format("{} x {}", s.width, s.height)},
         {"Objects", fmt::format("{} hittables, {} lights", s.hittables, s.lights), true},
