@@ -48,5 +48,9 @@ if(TEAPATH_TESTS)
     target_compile_options(teapath_imgui_test_engine PRIVATE -w)
     target_link_libraries(teapath_imgui_test_engine PUBLIC teapath_imgui)
 endif()
-set(TEAPATH_FONTS ${external}/imgui_rich_md/imgui_rich_md/assets/fonts)
-set(TEAPATH_ICON_FONT ${external}/hello_imgui/hello_imgui/hello_imgui_assets/fonts)
+set(fonts ${external}/imgui_rich_md/imgui_rich_md/assets/fonts)
+set(TEAPATH_FONTS
+    ${fonts}/Roboto/Roboto-Regular.ttf
+    ${fonts}/Roboto/Roboto-Bold.ttf
+    ${fonts}/Inconsolata-Medium.ttf
+    ${external}/hello_imgui/hello_imgui/hello_imgui_assets/fonts/Font_Awesome_6_Free-Solid-900.otf)

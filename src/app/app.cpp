@@ -122,6 +122,7 @@ void App::apply_look() {
 }
 
 void App::show_newest_picture(PanelContext& c) {
+    texture.set_way(ui.preferences.viewport.display_way);
     if (auto image = worker.take_image()) texture.set_image(std::move(*image));
     try {
         texture.update(document.scene().display);
@@ -154,7 +155,7 @@ void App::draw_frame(double wait_seconds) {
     const auto frame_start = Clock::now();
 
     status = worker.status();
-    PanelContext context{document, worker, ui, texture, window, status};
+    PanelContext context{document, worker, ui, texture, layers, window, status};
     show_newest_picture(context);
 
     // The interface, which may change the document.

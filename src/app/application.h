@@ -36,6 +36,7 @@ public:
     UiState ui;
     Window window;
     DisplayTexture texture;
+    ViewportLayers layers;
     Previews previews;
     RenderStatus status;  // of the frame drawn last
 

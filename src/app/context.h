@@ -3,6 +3,7 @@
 #pragma once
 
 #include "display/display_texture.h"
+#include "display/viewport_layers.h"
 #include "image_open.h"
 #include "jobs/autosave.h"
 #include "jobs/export_job.h"
@@ -194,6 +195,7 @@ struct PanelContext {
     RenderWorker& worker;
     UiState& ui;
     DisplayTexture& texture;
+    ViewportLayers& layers;
     Window& window;
     const RenderStatus& status;
 

@@ -71,6 +71,7 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "interface_scale", p.interface_scale);
     take(json, "seen_welcome", p.seen_welcome);
     take(json, "smooth_picture", p.smooth_picture);
+    take(json, "ground_grid", p.ground_grid);
     take(json, "fly_speed", p.fly_speed);
     take(json, "look_degrees", p.look_degrees);
     take(json, "autosave_minutes", p.autosave_minutes);
@@ -86,6 +87,9 @@ Preferences load_preferences(const std::filesystem::path& file) {
     take(json, "folded", p.folded);
     take(json, "viewport_resolution", p.viewport.resolution_percent);
     take(json, "viewport_moving_divider", p.viewport.moving_divider);
+    std::string way;
+    take(json, "display_way", way);
+    p.viewport.display_way = enum_value<DisplayWay>(way).value_or(DisplayWay::Auto);
     p.viewport.resolution_percent = std::clamp(p.viewport.resolution_percent, 10, 100);
     p.viewport.moving_divider = std::clamp(p.viewport.moving_divider, 0, 8);
     p.interface_scale = p.interface_scale > 0 ? std::clamp(p.interface_scale, 0.75f, 3.0f) : 0;
@@ -104,6 +108,7 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
                        {"interface_scale", p.interface_scale},
                        {"seen_welcome", p.seen_welcome},
                        {"smooth_picture", p.smooth_picture},
+                       {"ground_grid", p.ground_grid},
                        {"fly_speed", p.fly_speed},
                        {"look_degrees", p.look_degrees},
                        {"autosave_minutes", p.autosave_minutes},
@@ -115,7 +120,8 @@ void save_preferences(const Preferences& p, const std::filesystem::path& file) {
                        {"keys", p.keys},
                        {"folded", p.folded},
                        {"viewport_resolution", p.viewport.resolution_percent},
-                       {"viewport_moving_divider", p.viewport.moving_divider}};
+                       {"viewport_moving_divider", p.viewport.moving_divider},
+                       {"display_way", enum_name(p.viewport.display_way)}};
     std::filesystem::path part = file;
     part += ".part";
     std::error_code error;

@@ -2,6 +2,8 @@
 // Nothing here belongs to a scene.
 #pragma once
 
+#include "display/display_way.h"
+
 #include <array>
 #include <filesystem>
 #include <map>
@@ -15,6 +17,7 @@ namespace tp {
 struct ViewportPreferences {
     int resolution_percent = 100;  // of the panel's pixels, 10 to 100
     int moving_divider = 0;        // of the resolution while something moves; 0 = by speed
+    DisplayWay display_way = DisplayWay::Auto;
 
     friend bool operator==(const ViewportPreferences&, const ViewportPreferences&) = default;
 };
@@ -32,6 +35,7 @@ struct Preferences {
     float interface_scale = 0;   // 0 = from the monitor; else 0.75 to 3
     bool seen_welcome = false;   // the card of the first start
     bool smooth_picture = true;  // a picture that is not shown pixel by pixel is interpolated
+    bool ground_grid = false;    // lines on the plane y = 0
     double fly_speed = 1;        // times the natural speed of the scene, 0.1 to 10
     double look_degrees = 0.1;   // that a pixel of the mouse turns the camera, 0.01 to 1
     int autosave_minutes = 2;    // 0 = off, up to 60

@@ -1,10 +1,11 @@
 #include "theme.h"
 
+#include "embedded.h"
+
 #include <icons_font_awesome_6.h>
 #include <imgui.h>
 
-#include <filesystem>
-#include <string>
+#include <string_view>
 
 namespace tp {
 namespace {
@@ -13,9 +14,19 @@ ImFont* console_font = nullptr;
 ImFont* heading_font = nullptr;
 const Palette* palette = &kDarkPalette;
 
-ImFont* load(const std::string& file, float size) {
-    if (!std::filesystem::exists(file)) return nullptr;
-    return ImGui::GetIO().Fonts->AddFontFromFileTTF(file.c_str(), size);
+ImFont* add_font(std::string_view file, float size, ImFontConfig config = {}) {
+    const std::string_view bytes = embedded_file(file);
+    config.FontDataOwnedByAtlas = false;
+    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(
+        const_cast<char*>(bytes.data()), static_cast<int>(bytes.size()), size, &config);
+}
+
+// Icons for the font that was added last.
+void add_icons(float scale) {
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.GlyphMinAdvanceX = 18 * scale;
+    add_font("Font_Awesome_6_Free-Solid-900.otf", 12 * scale, config);
 }
 
 void set_metrics(ImGuiStyle& style) {
@@ -84,30 +95,19 @@ void set_colors(ImVec4* c, const Palette& p) {
 }  // namespace
 
 void load_fonts(float scale) {
-    ImFontAtlas* fonts = ImGui::GetIO().Fonts;
-    const std::string folder = TEAPATH_FONTS;
-    const std::string icon_file =
-        std::string(TEAPATH_ICON_FONT) + "/Font_Awesome_6_Free-Solid-900.otf";
-    const auto add_icons = [&] {
-        ImFontConfig icons;
-        icons.MergeMode = true;
-        icons.GlyphMinAdvanceX = 18 * scale;
-        if (std::filesystem::exists(icon_file))
-            fonts->AddFontFromFileTTF(icon_file.c_str(), 12 * scale, &icons);
-    };
-    if (!load(folder + "/Roboto/Roboto-Regular.ttf", 15 * scale)) fonts->AddFontDefault();
-    add_icons();
-    heading_font = load(folder + "/Roboto/Roboto-Bold.ttf", 15 * scale);
-    if (heading_font) add_icons();
-    console_font = load(folder + "/Inconsolata-Medium.ttf", 14 * scale);
+    add_font("Roboto-Regular.ttf", 15 * scale);
+    add_icons(scale);
+    heading_font = add_font("Roboto-Bold.ttf", 15 * scale);
+    add_icons(scale);
+    console_font = add_font("Inconsolata-Medium.ttf", 14 * scale);
 }
 
 ImFont* monospaced_font() {
-    return console_font ? console_font : ImGui::GetIO().Fonts->Fonts.front();
+    return console_font;
 }
 
 ImFont* bold_font() {
-    return heading_font ? heading_font : ImGui::GetIO().Fonts->Fonts.front();
+    return heading_font;
 }
 
 const Palette& theme() {

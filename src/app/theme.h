@@ -8,7 +8,7 @@ struct ImVec4;
 
 namespace tp {
 
-/// Loads the fonts for this scale of the interface; the built-in one where a file is missing.
+/// Loads the fonts for this scale of the interface.
 void load_fonts(float scale);
 /// The monospaced font of the console.
 ImFont* monospaced_font();

@@ -109,7 +109,7 @@ WindowTest::WindowTest(const Scene& scene, int width, int height, Folders folder
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
     AppOptions options;
     options.scene = write_scene(scene);
-    options.backend = "host";
+    options.backend = window_test_options().backend;
     options.threads = 1;
     options.width = width;
     options.height = height;
@@ -272,7 +272,8 @@ int WindowTest::live_textures() const {
 }
 
 PanelContext WindowTest::context() {
-    return {app->document, app->worker, app->ui, app->texture, app->window, app->status};
+    return {app->document, app->worker, app->ui,    app->texture,
+            app->layers,   app->window, app->status};
 }
 
 }  // namespace tp::test

@@ -91,6 +91,14 @@ std::vector<Action> viewport_actions() {
                  smooth = !smooth;
              },
          .is_checked = [](const PanelContext& c) { return c.ui.preferences.smooth_picture; }},
+        {.id = "view.ground_grid",
+         .menu = "View/Picture",
+         .label = "Ground grid",
+         .help = "Lines on the plane y = 0 over the picture, a power of ten apart",
+         .keys = {ImGuiMod_Ctrl | ImGuiKey_G},
+         .run =
+             [](PanelContext& c) { c.ui.preferences.ground_grid = !c.ui.preferences.ground_grid; },
+         .is_checked = [](const PanelContext& c) { return c.ui.preferences.ground_grid; }},
         {.id = "view.zoom_fit",
          .menu = "View/Picture",
          .label = "Fit",

@@ -269,6 +269,10 @@ void draw_viewport_options(PanelContext& c) {
         viewport.moving_divider = dividers[index];
     }
     c.worker.set_moving_divider(viewport.moving_divider);
+    ui::row("Display path", viewport.display_way,
+            "How a picture of an NVIDIA GPU gets to the screen: all but the last without leaving "
+            "the card. Metrics shows the time",
+            &standard.display_way);
     ui::end_rows();
 }
 

@@ -1,21 +1,15 @@
-// What is drawn over the picture: outlines, pixel grid, figures, notices.
-#include "../viewport/outline.h"
-#include "../viewport/scene_extent.h"
+// What is written over the picture: figures and notices.
 #include "viewport_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tp {
 namespace {
 
 constexpr ImU32 kText = IM_COL32(230, 230, 230, 255);
 constexpr ImU32 kError = IM_COL32(255, 140, 120, 255);
-constexpr ImU32 kOutlineShadow = IM_COL32(0, 0, 0, 150);
-constexpr size_t kMostOutlines = 500;  // more of them would cost more than a frame has
-constexpr size_t kShadowedOutlines = 50;
 
 // Text on a dark plate; `at` is its top left.
 void plate(const ImVec2& at, const std::string& text, ImU32 color) {
@@ -54,51 +48,6 @@ void draw_toasts(PanelContext& c, const ImVec2& low, const ImVec2& high) {
 }
 
 }  // namespace
-
-void draw_pixel_grid(const PanelContext& c, const ViewportFrame& frame) {
-    if (frame.zoom < kPixelGridZoom) return;
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const PlaceRect& picture = frame.picture;
-    const Double2 low = glm::max(picture.low, frame.panel.low);
-    const Double2 high = glm::min(picture.low + picture.size, frame.panel.low + frame.panel.size);
-    const ImU32 color = IM_COL32(128, 128, 128, 90);
-    const auto first = [&](double from, double start) {
-        return std::max(0, static_cast<int>(std::ceil((start - from) / frame.zoom)));
-    };
-    for (int x = first(picture.low.x, low.x); x <= c.ui.viewport.width; ++x) {
-        const double at = picture.low.x + x * frame.zoom;
-        if (at > high.x) break;
-        draw->AddLine(im({at, low.y}), im({at, high.y}), color);
-    }
-    for (int y = first(picture.low.y, low.y); y <= c.ui.viewport.height; ++y) {
-        const double at = picture.low.y + y * frame.zoom;
-        if (at > high.y) break;
-        draw->AddLine(im({low.x, at}), im({high.x, at}), color);
-    }
-}
-
-void draw_selection_outlines(const PanelContext& c, const ViewportFrame& frame) {
-    const std::vector<ObjectId>& selection = c.document.selection;
-    if (selection.empty()) return;
-    const Camera camera = active_camera(c.document.scene());
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->PushClipRect(
-        im(glm::max(frame.picture.low, frame.panel.low)),
-        im(glm::min(frame.picture.low + frame.picture.size, frame.panel.low + frame.panel.size)));
-    std::vector<ImVec2> points;
-    size_t drawn = 0;
-    for (const Object* object : selected_objects(c.document.scene(), selection)) {
-        if (!object->visible || ++drawn > kMostOutlines) continue;
-        points.clear();
-        for (const Double2& p : outline_of(*object, camera, frame.aspect(), frame.picture.size.y))
-            points.push_back(im(frame.picture.low + p * frame.picture.size));
-        const auto count = static_cast<int>(points.size());
-        if (selection.size() <= kShadowedOutlines)
-            draw->AddPolyline(points.data(), count, kOutlineShadow, ImDrawFlags_Closed, 3.5f);
-        draw->AddPolyline(points.data(), count, kAmber, ImDrawFlags_Closed, 1.5f);
-    }
-    draw->PopClipRect();
-}
 
 void draw_overlay(PanelContext& c, const ViewportFrame& frame) {
     // Within what is seen of the picture.

@@ -1,9 +1,11 @@
 // The picture in its panel: its size, its place, and the parts that act on it or are drawn over it.
+#include "../viewport/scene_extent.h"
 #include "panels.h"
 #include "viewport_parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tp {
 namespace {
@@ -36,17 +38,28 @@ ViewportFrame place_picture(const PanelContext& c, const PlaceRect& panel) {
     return frame;
 }
 
-void draw_picture(PanelContext& c, const ViewportFrame& frame) {
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(im(frame.panel.low), im(frame.panel.low + frame.panel.size), kSurround);
-    if (!c.texture.id()) return;
-    // ImGui's own sampler counts, not the texture's.
-    const ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
-    const bool nearest = !c.ui.preferences.smooth_picture || frame.zoom >= kPixelGridZoom;
-    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerNearest, nullptr);
-    draw->AddImage(static_cast<ImTextureID>(c.texture.id()), im(frame.picture.low),
-                   im(frame.picture.low + frame.picture.size));
-    if (nearest) draw->AddCallback(platform.DrawCallback_SetSamplerLinear, nullptr);
+// In pixels of the window's framebuffer.
+PlaceRect framebuffer_place(const PlaceRect& rect) {
+    const ImGuiViewport& viewport = *ImGui::GetWindowViewport();
+    const Double2 scale = from_im(viewport.FramebufferScale);
+    return {(rect.low - from_im(viewport.Pos)) * scale, rect.size * scale};
+}
+
+void draw_layers(PanelContext& c, const ViewportFrame& frame) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(im(frame.panel.low), im(frame.panel.low + frame.panel.size), kSurround);
+    LayerFrame layers;
+    layers.panel = framebuffer_place(frame.panel);
+    layers.picture = framebuffer_place(frame.picture);
+    layers.texture = c.texture.id();
+    layers.is_nearest = !c.ui.preferences.smooth_picture || frame.zoom >= kPixelGridZoom;
+    layers.has_pixel_grid = frame.zoom >= kPixelGridZoom;
+    layers.has_ground_grid = c.ui.preferences.ground_grid;
+    layers.scale = c.window.scale();
+    layers.camera = active_camera(c.document.scene());
+    for (const Object* object : selected_objects(c.document.scene(), c.document.selection))
+        if (object->visible) layers.selection.push_back(outline_part(*object));
+    c.layers.add_to(list, std::move(layers));
 }
 
 void draw_contents(PanelContext& c, const PlaceRect& panel) {
@@ -68,9 +81,7 @@ void draw_contents(PanelContext& c, const PlaceRect& panel) {
     if (gets_focus) v.wants_focus = false;
     v.has_focus = ImGui::IsWindowFocused();
 
-    draw_picture(c, frame);
-    draw_pixel_grid(c, frame);
-    draw_selection_outlines(c, frame);
+    draw_layers(c, frame);
     const GizmoUse gizmo = draw_gizmo(c, frame);
     v.is_moving = handle_viewport_input(c, frame, gizmo.is_over) || gizmo.changed;
     draw_overlay(c, frame);

@@ -37,9 +37,6 @@ struct GizmoUse {
 };
 GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame);
 
-/// Lines between the pixels where they are large, and the outline of the selection.
-void draw_pixel_grid(const PanelContext& c, const ViewportFrame& frame);
-void draw_selection_outlines(const PanelContext& c, const ViewportFrame& frame);
 /// Samples, time, speed, the frame of a paused render, notices.
 void draw_overlay(PanelContext& c, const ViewportFrame& frame);
 /// The card of the first start; any key or click closes it for good.

@@ -1,20 +1,32 @@
-// The outline of an object in the picture, exact: every shape so far is convex, so its outline is
-// that of its projected corners, and for round ones that of the circle where rays graze it. What
-// hides the object is not asked; what lies behind the camera is cut off. Pure functions.
+// What the outline of a selected object is drawn from: a form of unit size and its place in the
+// world, which the shaders selection.vert and selection.frag trace pixel by pixel. Pure functions.
 #pragma once
 
 #include <teapath/scene/camera.h>
 #include <teapath/scene/object.h>
 
-#include <vector>
+#include <cstdint>
 
 namespace tp {
 
-/// The outline in [0, 1]^2 of the picture, (0, 0) at its top left, as a convex polygon, cut to a
-/// frame somewhat larger than the picture. Empty where the object is out of view, or where the
-/// camera is inside it. Round outlines have as many corners as keep them within a quarter of a
-/// pixel for a picture `height` pixels high.
-std::vector<Double2> outline_of(const Object& object, const Camera& camera, double aspect,
-                                double height);
+/// Forms within [-1, 1] on each axis; the flat ones lie in z = 0. The shaders know the numbers.
+enum class OutlineForm : uint32_t {
+    Box,        // all of the cube
+    Ball,       // radius 1
+    Rectangle,  // all of the square
+    Disk,       // radius 1
+    Triangle    // the square's corners (-1, -1), (1, -1), (-1, 1)
+};
+
+struct OutlinePart {
+    OutlineForm form;
+    DoubleMat4 world_from_unit;
+};
+
+OutlinePart outline_part(const Object& object);
+
+/// From the world to clip space of a picture of this width over height: (-1, -1) is its lower left
+/// corner, w the distance along the view axis, z 0.
+DoubleMat4 clip_from_world(const Camera& camera, double aspect);
 
 }  // namespace tp
