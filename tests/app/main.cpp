@@ -2,6 +2,7 @@
 //   --platform null|display   GLFW's null platform with EGL, or a window on the display; without
 //   it,
 //                             the display where DISPLAY names one
+//   --backend host|cuda       what renders
 //   --steps N, --seed N       of the random driver
 //   --screenshots FOLDER      where tests leave pictures of the window
 // Settings and layouts of the user are not touched: a temporary folder takes their place.
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; ++i) {
         if (std::strcmp(argv[i], "--platform") == 0)
             use_null = std::strcmp(argv[i + 1], "null") == 0;
+        if (std::strcmp(argv[i], "--backend") == 0) options.backend = argv[i + 1];
         if (std::strcmp(argv[i], "--steps") == 0) options.steps = std::atoi(argv[i + 1]);
         if (std::strcmp(argv[i], "--seed") == 0)
             options.seed = std::strtoull(argv[i + 1], nullptr, 10);

@@ -20,8 +20,9 @@ namespace {
 std::vector<uint8_t> rendered(const std::filesystem::path& file, int width, int height) {
     const std::filesystem::path out = window_test_options().folder / "rendered.png";
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    const char* arguments[] = {"teapath",   "render", file.c_str(), "--size",   size.c_str(),
-                               "--backend", "host",   "-o",         out.c_str()};
+    const std::string& backend = window_test_options().backend;
+    const char* arguments[] = {"teapath",   "render",        file.c_str(), "--size",   size.c_str(),
+                               "--backend", backend.c_str(), "-o",         out.c_str()};
     REQUIRE(run_command_line(static_cast<int>(std::size(arguments)), arguments) == 0);
     const Image image = read_image(out);
     std::vector<uint8_t> bytes;

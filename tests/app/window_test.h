@@ -23,6 +23,7 @@ namespace tp::test {
 
 struct WindowTestOptions {
     bool is_null_platform = true;
+    std::string backend = "host";
     std::filesystem::path folder;       // temporary, for what tests write
     std::filesystem::path screenshots;  // empty: none
     int steps = 0;                      // of the random driver; 0 = its own number

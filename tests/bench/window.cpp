@@ -1,7 +1,10 @@
-// Frame times of the window: bench_window [SCENE] [SECONDS] [auto|cuda|host]. Opens it, plays each
-// situation for some seconds, and prints the median and the 99th percentile of the time that a
-// frame takes of the interface's thread, and what the picture's way to the screen takes.
+// Frame times of the window: bench_window [SCENE] [SECONDS] [auto|cuda|host] [soak]. Opens it,
+// plays each situation for some seconds, and prints the median and the 99th percentile of the time
+// that a frame takes of the interface's thread, and what the picture's way to the screen takes.
+// With `soak` it plays all of them in turn, with other sizes and other scenes between, for that
+// many seconds, and prints what memory is held.
 #include "application.h"
+#include "figures.h"
 
 #include <teapath/core/error.h>
 #include <teapath/editor/scene_edits.h>
@@ -32,6 +35,11 @@ double quantile(std::vector<double> values, double q) {
     return values[static_cast<size_t>(q * static_cast<double>(values.size() - 1))];
 }
 
+void rest_of_frame(Clock::time_point begin) {
+    const double rest = 1000.0 / 60 - ms_since(begin);
+    if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(rest));
+}
+
 // Plays frames at sixty a second at most; `act` changes something before each.
 void play(tp::App& app, const char* name, double seconds, const std::function<void(int)>& act) {
     std::vector<double> frame, interval, show;
@@ -44,8 +52,7 @@ void play(tp::App& app, const char* name, double seconds, const std::function<vo
         app.window.show();
         frame.push_back(ms_since(begin));
         show.push_back(app.texture.show_ms());
-        const double rest = 1000.0 / 60 - ms_since(begin);
-        if (rest > 0) std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(rest));
+        rest_of_frame(begin);
         interval.push_back(ms_since(last));
         last = Clock::now();
     }
@@ -57,6 +64,68 @@ void play(tp::App& app, const char* name, double seconds, const std::function<vo
         quantile(interval, 0.99), quantile(show, 0.5), quantile(show, 0.99), s.width, s.height,
         s.samples, s.samples_per_second / 1e6, s.sync_ms);
     std::fflush(stdout);
+}
+
+tp::ObjectId last_object(const tp::Scene& scene) {
+    return scene.objects.empty() ? tp::ObjectId{} : scene.objects.back().id;
+}
+
+void fly_round(tp::App& app, const tp::Camera& from, int i) {
+    tp::Camera moved = from;
+    const double angle = 0.01 * i;
+    moved.look_from += tp::Double3(std::sin(angle), 0.2 * std::sin(0.7 * angle), 0);
+    app.document.fly(moved);
+}
+
+void drag_shape(tp::App& app, tp::ObjectId object, int i) {
+    app.document.edit("Move", "bench", [&](tp::Scene& s) {
+        find_object(s, object)->transform.translation.x = 0.3 * std::sin(0.05 * i);
+    });
+}
+
+void drag_color(tp::App& app, tp::ObjectId object, int i) {
+    const tp::MaterialId material = find(app.document.scene(), object)->material;
+    app.document.edit("Colour", "bench colour", [&](tp::Scene& s) {
+        if (tp::Material* m = find_material(s, material))
+            m->color.color.x = 0.5 + 0.5 * std::sin(0.05 * i);
+    });
+}
+
+// Everything that takes memory, again and again.
+void soak(tp::App& app, double seconds) {
+    const std::string file = app.document.file().string();
+    const int sizes[][2] = {{1920, 1080}, {801, 601}, {1280, 720}, {640, 361}, {1600, 1000}};
+    const auto start = Clock::now();
+    for (int round = 0; ms_since(start) < seconds * 1e3; ++round) {
+        app.document.open(file);
+        const auto& size = sizes[round % 5];
+        app.window.put({0, 0, size[0], size[1], false});
+        app.ui.preferences.viewport.display_way =
+            tp::EnumTable<tp::DisplayWay>::rows[static_cast<size_t>(round) % 5].value;
+        const tp::Camera camera = active_camera(app.document.scene());
+        const tp::ObjectId object = last_object(app.document.scene());
+        std::vector<double> interval;
+        for (int i = 0; i < 600; ++i) {
+            const auto begin = Clock::now();
+            if (i < 150) fly_round(app, camera, i);
+            if (i >= 150 && i < 300 && object) drag_shape(app, object, i);
+            if (i >= 300 && i < 400 && object) drag_color(app, object, i);
+            if (i == 400)
+                while (app.document.can_undo())
+                    app.document.undo();
+            app.draw_frame(0);
+            app.window.show();
+            rest_of_frame(begin);
+            interval.push_back(ms_since(begin));
+        }
+        fmt::print(
+            "{:4.0f} s, {} x {}, {}: interval {:.2f} ms, 99 % {:.2f}; program {}, renderer {}{}\n",
+            ms_since(start) / 1e3, app.status.width, app.status.height,
+            tp::enum_name(app.texture.way()), quantile(interval, 0.5), quantile(interval, 0.99),
+            tp::memory_text(tp::process_memory()), tp::memory_text(app.status.memory_bytes),
+            app.status.error);
+        std::fflush(stdout);
+    }
 }
 
 }  // namespace
@@ -75,35 +144,21 @@ int main(int argc, char** argv) try {
     fmt::print("first picture after {:.0f} ms in the process, {} on {}\n", ms_since(start),
                app.status.backend, app.window.gl_name());
 
+    if (argc > 4) {
+        soak(app, seconds);
+        return 0;
+    }
     const auto nothing = [](int) {};
     play(app, "still", seconds, nothing);
     const tp::Camera camera = active_camera(app.document.scene());
-    play(app, "flying", seconds, [&](int i) {
-        tp::Camera moved = camera;
-        const double angle = 0.01 * i;
-        moved.look_from += tp::Double3(std::sin(angle), 0.2 * std::sin(0.7 * angle), 0);
-        app.document.fly(moved);
-    });
+    play(app, "flying", seconds, [&](int i) { fly_round(app, camera, i); });
     app.document.fly(camera);
-    const tp::ObjectId object = app.document.scene().objects.empty()
-                                    ? tp::ObjectId{}
-                                    : app.document.scene().objects.back().id;
-    if (object) {
-        play(app, "drag a shape", seconds, [&](int i) {
-            app.document.edit("Move", "bench", [&](tp::Scene& s) {
-                find_object(s, object)->transform.translation.x = 0.3 * std::sin(0.05 * i);
-            });
-        });
-        const tp::MaterialId material = find(app.document.scene(), object)->material;
-        play(app, "drag a colour", seconds, [&](int i) {
-            app.document.edit("Colour", "bench colour", [&](tp::Scene& s) {
-                if (tp::Material* m = find_material(s, material))
-                    m->color.color.x = 0.5 + 0.5 * std::sin(0.05 * i);
-            });
-        });
+    if (const tp::ObjectId object = last_object(app.document.scene())) {
+        play(app, "drag a shape", seconds, [&](int i) { drag_shape(app, object, i); });
+        play(app, "drag a colour", seconds, [&](int i) { drag_color(app, object, i); });
     }
     for (const auto& way : tp::EnumTable<tp::DisplayWay>::rows) {
-        app.texture.set_way(way.value);
+        app.ui.preferences.viewport.display_way = way.value;
         play(app, std::string(way.name).c_str(), seconds / 2, nothing);
     }
     return 0;
