@@ -70,10 +70,15 @@ SessionOptions session_options(const AppOptions& options) {
     return session;
 }
 
-// The document to begin with; its render starts before there is a window.
-Document first_document(const AppOptions& options, RenderWorker& worker) {
+// The document to begin with; its render starts before there is a window. A scene that cannot be
+// read is a message.
+Document first_document(const AppOptions& options, RenderWorker& worker, UiState& ui) {
     Document document;
-    if (!options.scene.empty()) document.open(options.scene);
+    try {
+        if (!options.scene.empty()) document.open(options.scene);
+    } catch (const std::exception& error) {
+        show_unreadable(ui, options.scene, error.what());
+    }
     const ViewportState viewport;
     worker.set_scene(document.snapshot(), viewport.width, viewport.height, false);
     return document;
@@ -83,7 +88,7 @@ Document first_document(const AppOptions& options, RenderWorker& worker) {
 
 App::App(const AppOptions& options)
     : worker(session_options(options)),
-      document(first_document(options, worker)),
+      document(first_document(options, worker, ui)),
       window(options.width > 0 ? options.width : 1280, options.height > 0 ? options.height : 720,
              "Teapath") {
     preferences_file_ = configuration_folder() / "settings.json";
@@ -93,7 +98,7 @@ App::App(const AppOptions& options)
     ui.previews = &previews;
     ui.session = ui.used_session = session_options(options);
     if (options.width <= 0 && options.height <= 0) window.put(ui.preferences.window);
-    if (!options.scene.empty()) ui.preferences.remember_file(options.scene);
+    if (!document.file().empty()) ui.preferences.remember_file(document.file());
     if (const std::string problem = log_to_file((state_folder() / "teapath.log").string());
         !problem.empty())
         log_warning("there is no log file: {}", problem);

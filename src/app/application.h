@@ -15,8 +15,8 @@ namespace tp {
 
 class App {
 public:
-    /// Opens the window on the scene. Throws Error where no window can be opened or the scene is
-    /// broken.
+    /// Opens the window on the scene; where that cannot be read, on a new one with a message.
+    /// Throws Error where no window can be opened.
     explicit App(const AppOptions& options);
     /// Remembers the window's place.
     ~App();
@@ -32,8 +32,8 @@ public:
     // In the order in which they are made: the device wakes up while the window opens, and what
     // lives in GL goes before the window.
     RenderWorker worker;
-    Document document;
     UiState ui;
+    Document document;
     Window window;
     DisplayTexture texture;
     ViewportLayers layers;

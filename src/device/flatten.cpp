@@ -7,6 +7,7 @@
 #include <teapath/device/light_build.h>
 #include <teapath/device/scene_arrays.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -96,6 +97,20 @@ void flatten_parameters(const Scene& scene, SceneArrays& arrays) {
         arrays.features |= kFeatureDebug;
 }
 
+// Equal but for names, which are no part of the image.
+template <class T>
+bool looks_same(const T& a, const T& b) {
+    if (a == b) return true;
+    if (a.name == b.name) return false;
+    T renamed = a;
+    renamed.name = b.name;
+    return renamed == b;
+}
+template <class T>
+bool all_look_same(const std::vector<T>& a, const std::vector<T>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), looks_same<T>);
+}
+
 template <class T>
 size_t bytes_of(const std::vector<T>& v) {
     return v.size() * sizeof(T);
@@ -132,14 +147,16 @@ SceneParts changed_parts(const Scene& before, const Scene& after) {
         return true;
     };
     // Records are numbered in the order of the materials, so that order is part of the geometry.
-    if (before.objects != after.objects || before.generators != after.generators ||
+    if (!all_look_same(before.objects, after.objects) ||
+        !all_look_same(before.generators, after.generators) ||
         !same_ids(before.materials, after.materials))
         parts = parts | SceneParts::Geometry | SceneParts::Materials;
-    if (before.materials != after.materials || before.textures != after.textures ||
-        before.background != after.background)
+    if (!all_look_same(before.materials, after.materials) ||
+        !all_look_same(before.textures, after.textures) || before.background != after.background)
         parts = parts | SceneParts::Materials;
-    if (active_camera(before) != active_camera(after) || before.render.path != after.render.path ||
-        before.render.width != after.render.width || before.render.height != after.render.height)
+    if (!looks_same(active_camera(before), active_camera(after)) ||
+        before.render.path != after.render.path || before.render.width != after.render.width ||
+        before.render.height != after.render.height)
         parts = parts | SceneParts::Parameters;
     return parts;
 }

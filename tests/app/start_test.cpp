@@ -3,6 +3,12 @@
 
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+#include <vector>
 
 using namespace tp;
 using namespace tp::test;
@@ -17,6 +23,34 @@ TEST_CASE("start: the window shows the picture of the scene") {
     CHECK(t.app->texture.height() == t.app->ui.viewport.height);
     CHECK(t.app->texture.width() > 500);
     t.screenshot("start");
+}
+
+TEST_CASE("start: a scene that cannot be read is a message beside a new scene") {
+    const std::filesystem::path broken = window_test_options().folder / "broken.json";
+    std::ofstream(broken) << R"({"teapath": 1, "objects": [)";
+    for (const std::filesystem::path& file : {broken, broken.parent_path() / "missing.json"}) {
+        AppOptions options;
+        options.scene = file;
+        options.backend = "host";
+        options.threads = 1;
+        App app(options);
+        app.draw_frame(0);
+        app.draw_frame(0);
+        const Document fresh;
+        CHECK(app.document.scene() == fresh.scene());
+        CHECK(app.document.file().empty());
+        CHECK_FALSE(app.document.is_modified());
+        const std::string title = file.filename().string() + " cannot be opened";
+        const ImGuiWindow* message = ImGui::FindWindowByName((title + "###message").c_str());
+        REQUIRE(message);
+        CHECK(message->Active);
+        const std::vector<LogLine> log = log_lines_after(0);
+        CHECK(std::any_of(log.begin(), log.end(), [&](const LogLine& line) {
+            return line.level == LogLevel::Error && line.text.find(title + ": ") == 0;
+        }));
+        for (const std::string& recent : app.ui.preferences.recent_files)
+            CHECK(recent != file.string());
+    }
 }
 
 TEST_CASE("start: closing ends the program, and asks where something is not saved") {

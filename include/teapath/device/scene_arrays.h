@@ -55,7 +55,7 @@ struct SceneArrays {
 /// (validate() finds nothing fatal); generators are expanded here.
 void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays);
 
-/// Which parts of the arrays differ between two snapshots.
+/// Which parts of the arrays differ between two snapshots; names are in none of them.
 SceneParts changed_parts(const Scene& before, const Scene& after);
 
 }  // namespace tp

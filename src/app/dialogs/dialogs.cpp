@@ -34,9 +34,9 @@ bool begin_question(const char* title) {
     return ImGui::BeginPopupModal(title, nullptr, kSmallWindow);
 }
 
-void show_message(PanelContext& c, const std::string& title, const std::string& text) {
+void show_message(UiState& ui, const std::string& title, const std::string& text) {
     log_line(LogLevel::Error, title + ": " + text);
-    c.ui.dialogs.messages.push_back({title, text});
+    ui.dialogs.messages.push_back({title, text});
 }
 
 void draw_messages(PanelContext& c) {

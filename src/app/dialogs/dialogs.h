@@ -16,6 +16,8 @@ void ask_first(PanelContext& c, const std::string& verb, std::function<void(Pane
 /// Reads a scene file and takes its scene; a broken one is a message, and the old scene stays.
 /// Asks nothing.
 void open_scene(PanelContext& c, const std::filesystem::path& file);
+/// The message about a scene file that cannot be read.
+void show_unreadable(UiState& ui, const std::filesystem::path& file, const std::string& error);
 /// Asks which file to open.
 void ask_to_open(PanelContext& c);
 /// Saves under the document's name, or asks for one; then goes on with `then`, if it was saved.
@@ -52,8 +54,8 @@ void draw_keys_window(PanelContext& c);
 
 /// The user's settings.
 void draw_settings_window(PanelContext& c);
-/// Shows a text until it is closed; for errors that are longer than a notice.
-void show_message(PanelContext& c, const std::string& title, const std::string& text);
+/// Shows a text until it is closed, and logs it; for errors that are longer than a notice.
+void show_message(UiState& ui, const std::string& title, const std::string& text);
 
 /// A window of a few lines in the middle of the screen; ImGui::End follows always.
 bool begin_note(const char* title, bool* is_open);

@@ -151,7 +151,7 @@ void start(PanelContext& c) {
     options.can_keep = true;
     options.is_gentle = true;
     options.failed = [settings](PanelContext& p, const std::string& error) {
-        show_message(p, fmt::format("{} is not exported", settings.file.filename().string()),
+        show_message(p.ui, fmt::format("{} is not exported", settings.file.filename().string()),
                      error);
     };
     const std::string name =

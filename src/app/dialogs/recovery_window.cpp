@@ -20,7 +20,7 @@ void recover(PanelContext& c, Leftover leftover) {
     JobOptions options;
     options.title = fmt::format("Recovering {}", name_of(leftover));
     options.failed = [leftover](PanelContext& p, const std::string& error) {
-        show_message(p, fmt::format("{} cannot be recovered", name_of(leftover)),
+        show_message(p.ui, fmt::format("{} cannot be recovered", name_of(leftover)),
                      fmt::format("{}\n\nIt is still in {}", error, leftover.scene.string()));
     };
     c.ui.jobs.start(std::move(options), [leftover](JobControl&) -> JobFinish {

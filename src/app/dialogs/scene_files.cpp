@@ -28,7 +28,7 @@ void save_to(PanelContext& c, const fs::path& file, Then then) {
     JobOptions options;
     options.title = fmt::format("Saving {}", file.filename().string());
     options.failed = [](PanelContext& p, const std::string& error) {
-        show_message(p, "The scene is not saved", error);
+        show_message(p.ui, "The scene is not saved", error);
     };
     const ScenePtr scene = c.document.snapshot();
     c.ui.jobs.start(std::move(options),
@@ -66,11 +66,15 @@ void ask_first(PanelContext& c, const std::string& verb, Then then) {
     c.ui.dialogs.pending = {verb, std::move(then)};
 }
 
+void show_unreadable(UiState& ui, const fs::path& file, const std::string& error) {
+    show_message(ui, fmt::format("{} cannot be opened", file.filename().string()), error);
+}
+
 void open_scene(PanelContext& c, const fs::path& file) {
     JobOptions options;
     options.title = fmt::format("Opening {}", file.filename().string());
     options.failed = [file](PanelContext& p, const std::string& error) {
-        show_message(p, fmt::format("{} cannot be opened", file.filename().string()), error);
+        show_unreadable(p.ui, file, error);
     };
     c.ui.jobs.start(
         std::move(options), [file, edits = c.document.edits()](JobControl& control) -> JobFinish {
