@@ -17,9 +17,9 @@ import tempfile
 HERE = os.path.dirname(os.path.abspath(__file__))
 REFERENCES = os.path.join(os.path.dirname(HERE), "references")
 
-# Caustics have heavy tails: a short render's own error estimate is poor there. These scenes take
-# this many times the samples of the others.
-MORE_SAMPLES = {"07_cornell_glass": 16, "04_glass": 2, "11_lens": 2}
+# Caustics, and light close to a sphere, have heavy tails: a short render's own error estimate is
+# poor there. These scenes take this many times the samples of the others.
+MORE_SAMPLES = {"07_cornell_glass": 16, "15_sphere_light": 4, "04_glass": 2, "11_lens": 2}
 
 
 def run(command):
