@@ -176,10 +176,10 @@ TEST_CASE("a room whose walls are larger than what is in it is framed whole") {
 
 TEST_CASE("a small lamp among larger things does not make them the ground") {
     Scene scene;
-    scene.objects.resize(4);
-    scene.objects[0].shape = SphereShape{{0, 3, 0}, 0.02};
+    scene.objects.edit().resize(4);
+    scene.objects.edit()[0].shape = SphereShape{{0, 3, 0}, 0.02};
     for (size_t i = 1; i < 4; ++i)
-        scene.objects[i].shape = SphereShape{{2.5 * static_cast<double>(i), 0, 0}, 1};
+        scene.objects.edit()[i].shape = SphereShape{{2.5 * static_cast<double>(i), 0, 0}, 1};
     CHECK(extent_of_all(scene)->radius > 3);
 }
 

@@ -16,9 +16,9 @@ namespace {
 
 Scene grid_scene(const SphereGrid& grid) {
     Scene scene;
-    scene.generators.resize(1);
-    scene.generators[0].id = {1};
-    scene.generators[0].grid = grid;
+    scene.generators.edit().resize(1);
+    scene.generators.edit()[0].id = {1};
+    scene.generators.edit()[0].grid = grid;
     return scene;
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("generate: ids go on behind those of the scene, whose own things stay 
     Material paint;
     paint.id = {77};
     scene.materials = {paint};
-    scene.generators.push_back(scene.generators[0]);
-    scene.generators[1].grid.center = {100, 100};
+    scene.generators.edit().push_back(scene.generators[0]);
+    scene.generators.edit()[1].grid.center = {100, 100};
     const Scene expanded = expand_generators(scene);
     CHECK(expanded.objects.size() == 1 + 2 * 484);
     CHECK(expanded.objects[0] == own);

@@ -69,20 +69,20 @@ void expand_grid(const Generator& generator, uint32_t& object_id, uint32_t& mate
             if (is_kept_clear(grid, center)) continue;
             Material material = random_material(grid, random);
             material.id = {++material_id};
-            scene.materials.push_back(std::move(material));
+            scene.materials.edit().push_back(std::move(material));
             Object object;
             object.id = {++object_id};
             object.shape = SphereShape{center, grid.radius};
             object.material = {material_id};
-            scene.objects.push_back(std::move(object));
+            scene.objects.edit().push_back(std::move(object));
         }
     }
 }
 
-template <class T>
-uint32_t largest_id(const std::vector<T>& things) {
+template <class List>
+uint32_t largest_id(const List& things) {
     uint32_t largest = 0;
-    for (const T& thing : things)
+    for (const auto& thing : things)
         largest = std::max(largest, thing.id.value);
     return largest;
 }
@@ -91,7 +91,7 @@ uint32_t largest_id(const std::vector<T>& things) {
 
 Scene expand_generators(const Scene& scene) {
     Scene expanded = scene;
-    expanded.generators.clear();
+    expanded.generators = {};
     uint32_t object_id = largest_id(scene.objects), material_id = largest_id(scene.materials);
     for (const Generator& generator : scene.generators)
         expand_grid(generator, object_id, material_id, expanded);
