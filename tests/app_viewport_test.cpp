@@ -183,6 +183,26 @@ TEST_CASE("a small lamp among larger things does not make them the ground") {
     CHECK(extent_of_all(scene)->radius > 3);
 }
 
+TEST_CASE("what a generator makes has an extent without being made") {
+    Scene scene;
+    Object ground;
+    ground.id = {1};
+    ground.shape = SphereShape{{0, -1000, 0}, 1000};
+    scene.objects = {ground};
+    scene.generators.edit().resize(1);
+    const std::optional<Extent> quick = extent_of_all(scene);
+    const std::optional<Extent> exact = extent_of_all(expand_generators(scene));
+    REQUIRE(quick);
+    REQUIRE(exact);
+    CHECK(glm::distance(quick->center, exact->center) < 0.02 * exact->radius);
+    CHECK(quick->radius == doctest::Approx(exact->radius).epsilon(0.02));
+    // The largest that a scene may have: these would take gigabytes.
+    scene.generators.edit()[0].grid.columns = 65535;
+    scene.generators.edit()[0].grid.rows = 305;
+    CHECK(extent_of_all(scene)->radius == doctest::Approx(65535 / 2.0).epsilon(0.01));
+    CHECK(natural_speed(scene) > 1000);
+}
+
 TEST_CASE("framing shows the whole sphere, in narrow pictures too") {
     Camera camera;
     for (const double aspect : {0.4, 1.0, 2.0}) {
