@@ -54,7 +54,7 @@ Scene small_scene() {
     ball.id = {1};
     ball.shape = SphereShape{{0, 0, 0}, 1};
     ball.material = maker.lambertian(0.6);
-    maker.scene.objects.push_back(ball);
+    maker.scene.objects.edit().push_back(ball);
     return maker.scene;
 }
 

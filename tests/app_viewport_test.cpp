@@ -176,11 +176,31 @@ TEST_CASE("a room whose walls are larger than what is in it is framed whole") {
 
 TEST_CASE("a small lamp among larger things does not make them the ground") {
     Scene scene;
-    scene.objects.resize(4);
-    scene.objects[0].shape = SphereShape{{0, 3, 0}, 0.02};
+    scene.objects.edit().resize(4);
+    scene.objects.edit()[0].shape = SphereShape{{0, 3, 0}, 0.02};
     for (size_t i = 1; i < 4; ++i)
-        scene.objects[i].shape = SphereShape{{2.5 * static_cast<double>(i), 0, 0}, 1};
+        scene.objects.edit()[i].shape = SphereShape{{2.5 * static_cast<double>(i), 0, 0}, 1};
     CHECK(extent_of_all(scene)->radius > 3);
+}
+
+TEST_CASE("what a generator makes has an extent without being made") {
+    Scene scene;
+    Object ground;
+    ground.id = {1};
+    ground.shape = SphereShape{{0, -1000, 0}, 1000};
+    scene.objects = {ground};
+    scene.generators.edit().resize(1);
+    const std::optional<Extent> quick = extent_of_all(scene);
+    const std::optional<Extent> exact = extent_of_all(expand_generators(scene));
+    REQUIRE(quick);
+    REQUIRE(exact);
+    CHECK(glm::distance(quick->center, exact->center) < 0.02 * exact->radius);
+    CHECK(quick->radius == doctest::Approx(exact->radius).epsilon(0.02));
+    // The largest that a scene may have: these would take gigabytes.
+    scene.generators.edit()[0].grid.columns = 65535;
+    scene.generators.edit()[0].grid.rows = 305;
+    CHECK(extent_of_all(scene)->radius == doctest::Approx(65535 / 2.0).epsilon(0.01));
+    CHECK(natural_speed(scene) > 1000);
 }
 
 TEST_CASE("framing shows the whole sphere, in narrow pictures too") {

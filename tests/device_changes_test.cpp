@@ -13,9 +13,9 @@ Scene named_scene() {
     SceneMaker maker;
     maker.sphere({0, 0, 0}, 1, maker.lambertian(0.5));
     maker.texture({});
-    maker.scene.generators.resize(1);
-    maker.scene.generators[0].id = {1};
-    maker.scene.generators[0].grid.columns = maker.scene.generators[0].grid.rows = 2;
+    maker.scene.generators.edit().resize(1);
+    maker.scene.generators.edit()[0].id = {1};
+    maker.scene.generators.edit()[0].grid.columns = maker.scene.generators.edit()[0].grid.rows = 2;
     return maker.scene;
 }
 
@@ -26,10 +26,10 @@ SceneParts parts_of(const std::function<void(Scene&)>& change) {
 }
 
 void rename_all(Scene& s) {
-    s.objects[0].name = "a ball";
-    s.generators[0].name = "a grid";
-    s.materials[0].name = "a paint";
-    s.textures[0].name = "a picture";
+    s.objects.edit()[0].name = "a ball";
+    s.generators.edit()[0].name = "a grid";
+    s.materials.edit()[0].name = "a paint";
+    s.textures.edit()[0].name = "a picture";
     s.cameras[0].name = "a camera";
     s.name = "a scene";
 }
@@ -39,12 +39,14 @@ void rename_all(Scene& s) {
 TEST_CASE("changes: names are no part of the image, alone or beside what is") {
     CHECK(parts_of(rename_all) == SceneParts::None);
     const std::function<void(Scene&)> changes[] = {
-        [](Scene& s) { s.objects[0].visible = false; },
-        [](Scene& s) { s.generators[0].grid.seed = 1; },
-        [](Scene& s) { s.materials[0].fuzz = 0.5; },
-        [](Scene& s) { s.textures[0].repeat = {2, 2}; },
+        [](Scene& s) { s.objects.edit()[0].visible = false; },
+        [](Scene& s) { s.generators.edit()[0].grid.seed = 1; },
+        [](Scene& s) { s.materials.edit()[0].fuzz = 0.5; },
+        [](Scene& s) {
+            s.textures.edit()[0].repeat = {2, 2};
+        },
         [](Scene& s) { s.cameras[0].vertical_fov = 50; },
-        [](Scene& s) { s.objects.clear(); },
+        [](Scene& s) { s.objects.edit().clear(); },
     };
     for (const auto& change : changes) {
         CHECK(parts_of(change) != SceneParts::None);
@@ -63,7 +65,7 @@ TEST_CASE("changes: a film goes on when something gets another name") {
     rename_all(scene);
     session.sync(std::make_shared<const Scene>(scene));
     CHECK(session.samples() == 2);
-    scene.materials[0].color.color = {1, 0, 0};
+    scene.materials.edit()[0].color.color = {1, 0, 0};
     session.sync(std::make_shared<const Scene>(scene));
     CHECK(session.samples() == 0);
 }

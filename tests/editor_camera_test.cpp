@@ -22,7 +22,8 @@ void jump(Document& document, const Double3& place) {
 }
 
 void move_ball(Document& document) {
-    document.edit("Move", "", [](Scene& s) { s.objects.back().transform.translation.x += 1; });
+    document.edit("Move", "",
+                  [](Scene& s) { s.objects.edit().back().transform.translation.x += 1; });
 }
 
 Double3 place(const Document& document) {
@@ -30,6 +31,19 @@ Double3 place(const Document& document) {
 }
 
 }  // namespace
+
+TEST_CASE("flying copies nothing but the cameras") {
+    Document document;
+    const ScenePtr before = document.snapshot();
+    document.fly(flown(document, {1, 0, 0}));
+    CHECK(active_camera(*before).look_from != place(document));
+    CHECK(&document.scene().objects.items() == &before->objects.items());
+    CHECK(&document.scene().materials.items() == &before->materials.items());
+    // An edit takes its own list along, and no other.
+    move_ball(document);
+    CHECK(&document.scene().objects.items() != &before->objects.items());
+    CHECK(&document.scene().materials.items() == &before->materials.items());
+}
 
 TEST_CASE("flying is no step of the history and stays through undo and redo of other steps") {
     Document document;

@@ -64,32 +64,32 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
          }},
         {"duplicate an object",
          [](Scene& s, Random& r) {
-             if (const Object* o = one_of(s.objects, r)) duplicate_objects(s, {o->id});
+             if (const Object* o = one_of(s.objects.edit(), r)) duplicate_objects(s, {o->id});
          }},
         {"delete an object",
          [](Scene& s, Random& r) {
-             if (const Object* o = one_of(s.objects, r)) delete_objects(s, {o->id});
+             if (const Object* o = one_of(s.objects.edit(), r)) delete_objects(s, {o->id});
          }},
         {"move an object",
          [](Scene& s, Random& r) {
-             if (Object* o = one_of(s.objects, r)) o->transform.translation = triple(r);
+             if (Object* o = one_of(s.objects.edit(), r)) o->transform.translation = triple(r);
          }},
         {"turn an object",
          [](Scene& s, Random& r) {
-             if (Object* o = one_of(s.objects, r)) o->transform.rotation = triple(r, 0, 360);
+             if (Object* o = one_of(s.objects.edit(), r)) o->transform.rotation = triple(r, 0, 360);
          }},
         {"scale an object",
          [](Scene& s, Random& r) {
-             if (Object* o = one_of(s.objects, r)) o->transform.scale = triple(r, 0.1, 3);
+             if (Object* o = one_of(s.objects.edit(), r)) o->transform.scale = triple(r, 0.1, 3);
          }},
         {"shape of an object",
          [](Scene& s, Random& r) {
-             if (Object* o = one_of(s.objects, r))
+             if (Object* o = one_of(s.objects.edit(), r))
                  o->shape = shape_kinds()[below(r, shape_kinds().size())].shape;
          }},
         {"rename, hide, turn inside out",
          [](Scene& s, Random& r) {
-             Object* o = one_of(s.objects, r);
+             Object* o = one_of(s.objects.edit(), r);
              if (!o) return;
              o->name = fmt::format("thing {}", below(r, 1000));
              o->visible = below(r, 2) == 0;
@@ -97,18 +97,18 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
          }},
         {"give an object a material",
          [](Scene& s, Random& r) {
-             Object* o = one_of(s.objects, r);
-             const Material* m = one_of(s.materials, r);
+             Object* o = one_of(s.objects.edit(), r);
+             const Material* m = one_of(s.materials.edit(), r);
              if (o && m) o->material = m->id;
          }},
         {"add a material", [](Scene& s, Random& r) { add_material(s, any<MaterialKind>(r)); }},
         {"kind of a material",
          [](Scene& s, Random& r) {
-             if (Material* m = one_of(s.materials, r)) m->kind = any<MaterialKind>(r);
+             if (Material* m = one_of(s.materials.edit(), r)) m->kind = any<MaterialKind>(r);
          }},
         {"numbers of a material",
          [](Scene& s, Random& r) {
-             Material* m = one_of(s.materials, r);
+             Material* m = one_of(s.materials.edit(), r);
              if (!m) return;
              m->color.color = triple(r, 0, 1);
              m->fuzz = number(r, 0, 1);
@@ -118,19 +118,19 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
          }},
         {"texture of a material",
          [](Scene& s, Random& r) {
-             Material* m = one_of(s.materials, r);
+             Material* m = one_of(s.materials.edit(), r);
              if (m) m->color.texture = add_texture(s, any<TextureKind>(r));
          }},
         {"image of a texture",
          [](Scene& s, Random& r) {
-             Texture* t = one_of(s.textures, r);
+             Texture* t = one_of(s.textures.edit(), r);
              if (!t) return;
              t->kind = TextureKind::Image;
              t->file = {fmt::format("image_{}.png", below(r, 1000)), picture(r)};
          }},
         {"numbers of a texture",
          [](Scene& s, Random& r) {
-             Texture* t = one_of(s.textures, r);
+             Texture* t = one_of(s.textures.edit(), r);
              if (!t) return;
              t->wrap = any<WrapMode>(r);
              t->filter = any<FilterMode>(r);
@@ -188,7 +188,7 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
                  g.id.value = std::max(g.id.value, other.id.value);
              ++g.id.value;
              g.grid.columns = g.grid.rows = 1 + static_cast<int>(below(r, 3));
-             s.generators.push_back(g);
+             s.generators.edit().push_back(g);
          }},
         {"generators become objects", [](Scene& s, Random&) { realize_generators(s); }},
     };
@@ -267,8 +267,8 @@ TEST_CASE("history: bounded in steps, and the way back to the start stays") {
         edit_at_random(document, random);
         if (document.scene().objects.size() > 40)
             document.edit("Clear", "", [](Scene& s) {
-                s.objects.clear();
-                s.generators.clear();
+                s.objects.edit().clear();
+                s.generators.edit().clear();
             });
     }
     CHECK(document.history().size() <= HistoryLimit{}.steps);
@@ -298,7 +298,7 @@ TEST_CASE("history: bounded in memory, images counted once") {
         Object o;
         for (uint32_t i = 1; i <= 20000; ++i) {
             o.id.value = 100 + i;
-            s.objects.push_back(o);
+            s.objects.edit().push_back(o);
         }
     });
     for (int step = 0; step < 20; ++step)

@@ -62,7 +62,7 @@ TEST_CASE("items: delete removes every use, and leaves the last camera and the b
     Document document;
     Scene scene = document.scene();
     const TextureId texture = add_texture(scene, TextureKind::Checker);
-    scene.materials[0].color.texture = texture;
+    scene.materials.edit()[0].color.texture = texture;
     delete_items(scene, {item_of(texture), item_of(scene.materials[1].id), background_item(),
                          item_of(scene.cameras[0].id)});
     CHECK(scene.textures.empty());

@@ -20,7 +20,7 @@ std::shared_ptr<const Scene> small_scene() {
         o.shape = SphereShape{};
         o.material = i == 1 ? lamp : red;
         if (i == 2) o.name = "Big BALL";
-        scene.objects.push_back(o);
+        scene.objects.edit().push_back(o);
     }
     scene.cameras.resize(1);
     scene.cameras[0].id = {1};
@@ -73,9 +73,9 @@ TEST_CASE("tree: the rows are made once for a snapshot and a search") {
 
 TEST_CASE("tree: a hundred thousand objects take a moment once, and nothing after") {
     Scene scene;
-    scene.objects.resize(100'000);
+    scene.objects.edit().resize(100'000);
     for (size_t i = 0; i < scene.objects.size(); ++i)
-        scene.objects[i].id = {static_cast<uint32_t>(i + 1)};
+        scene.objects.edit()[i].id = {static_cast<uint32_t>(i + 1)};
     const auto shared = std::make_shared<const Scene>(std::move(scene));
     SceneTree tree;
     tree.update(shared, "sphere 9");

@@ -38,11 +38,11 @@ public:
             s.cameras.push_back(camera({i + 1 + below(3) * 10}));
         if (below(2)) s.active_camera = s.cameras[below(s.cameras.size())].id;
         for (uint32_t i = 0, n = below(5); i < n; ++i)
-            s.textures.push_back(texture({3 * i + 2}, i));
+            s.textures.edit().push_back(texture({3 * i + 2}, i));
         for (uint32_t i = 0, n = below(5); i < n; ++i)
-            s.materials.push_back(material({5 * i + 1}, s));
+            s.materials.edit().push_back(material({5 * i + 1}, s));
         for (uint32_t i = 0, n = below(8); i < n; ++i)
-            s.objects.push_back(object({7 * i + 4}, s));
+            s.objects.edit().push_back(object({7 * i + 4}, s));
         for (uint32_t i = 0, n = below(2); i < n; ++i) {
             Generator g;
             g.id = {i + 1};
@@ -52,7 +52,7 @@ public:
             g.grid.thesis_colors = below(2);
             g.grid.seed = random_();
             if (below(2)) g.grid.keep_clear = {Double4(number(), 0.1, 1e-9, 3)};
-            s.generators.push_back(g);
+            s.generators.edit().push_back(g);
         }
         s.background.kind = kind<BackgroundKind>();
         s.background.bottom = color();
@@ -275,11 +275,11 @@ TEST_CASE("scene save: equal names get numbers, nothing is lost") {
         m.id = {i};
         m.name = "red";
         m.color.color = {0.1 * i, 0, 0};
-        scene.materials.push_back(m);
+        scene.materials.edit().push_back(m);
         Object o;
         o.id = {i};
         o.material = {i};
-        scene.objects.push_back(o);
+        scene.objects.edit().push_back(o);
     }
     const Scene again = parse(scene_text(scene));
     REQUIRE(again.materials.size() == 3);
@@ -288,7 +288,7 @@ TEST_CASE("scene save: equal names get numbers, nothing is lost") {
     CHECK(again.materials[2].name == "red 3");
     for (size_t i = 0; i < 3; ++i)
         CHECK(find(again, again.objects[i].material)->color == scene.materials[i].color);
-    scene.materials[1].name = "red 2";
+    scene.materials.edit()[1].name = "red 2";
     CHECK(parse(scene_text(scene)).materials[2].name == "red 3");
 }
 

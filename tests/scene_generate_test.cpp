@@ -16,9 +16,9 @@ namespace {
 
 Scene grid_scene(const SphereGrid& grid) {
     Scene scene;
-    scene.generators.resize(1);
-    scene.generators[0].id = {1};
-    scene.generators[0].grid = grid;
+    scene.generators.edit().resize(1);
+    scene.generators.edit()[0].id = {1};
+    scene.generators.edit()[0].grid = grid;
     return scene;
 }
 
@@ -50,6 +50,34 @@ TEST_CASE("generate: every cell has one sphere, on the ground, inside its cell")
         CHECK((x >= 0 && x < 0.9 && z >= 0 && z < 0.9));
         CHECK(find(scene, scene.objects[i].material) == &scene.materials[i]);
     }
+}
+
+TEST_CASE("generate: the box of the centres holds them all, and hardly more") {
+    for (const double spacing : {2.0, -0.5})
+        for (const double jitter : {0.9, 0.0, -0.7, 3.0}) {
+            CAPTURE(spacing);
+            CAPTURE(jitter);
+            SphereGrid grid;
+            grid.columns = 60;
+            grid.rows = 40;
+            grid.spacing = spacing;
+            grid.jitter = jitter;
+            grid.center = {3, -4};
+            grid.ground = 5;
+            const GridBox box = box_of_centers(grid);
+            Double3 low(1e9), high(-1e9);
+            for (const Object& object : expand_generators(grid_scene(grid)).objects) {
+                low = glm::min(low, sphere_of(object).center);
+                high = glm::max(high, sphere_of(object).center);
+            }
+            const double room = 0.2 * std::abs(spacing * jitter) + 1e-9;
+            for (int axis = 0; axis < 3; ++axis) {
+                CHECK(low[axis] >= box.low[axis] - 1e-9);
+                CHECK(low[axis] <= box.low[axis] + room);
+                CHECK(high[axis] <= box.high[axis] + 1e-9);
+                CHECK(high[axis] >= box.high[axis] - room);
+            }
+        }
 }
 
 TEST_CASE("generate: the same seed gives the same grid, another seed another one") {
@@ -95,8 +123,8 @@ TEST_CASE("generate: ids go on behind those of the scene, whose own things stay 
     Material paint;
     paint.id = {77};
     scene.materials = {paint};
-    scene.generators.push_back(scene.generators[0]);
-    scene.generators[1].grid.center = {100, 100};
+    scene.generators.edit().push_back(scene.generators[0]);
+    scene.generators.edit()[1].grid.center = {100, 100};
     const Scene expanded = expand_generators(scene);
     CHECK(expanded.objects.size() == 1 + 2 * 484);
     CHECK(expanded.objects[0] == own);

@@ -54,13 +54,13 @@ TEST_CASE("transform: quarter turns are exact, whole turns do nothing") {
 
 TEST_CASE("scene: things are found by id, and none by no id") {
     Scene scene;
-    scene.objects.resize(3);
+    scene.objects.edit().resize(3);
     for (uint32_t i = 0; i < 3; ++i)
-        scene.objects[i].id = {10 - i};
+        scene.objects.edit()[i].id = {10 - i};
     CHECK(find(scene, ObjectId{9}) == &scene.objects[1]);
     CHECK(find(scene, ObjectId{1}) == nullptr);
     CHECK(find(scene, ObjectId{}) == nullptr);
-    scene.objects[0].id = {};
+    scene.objects.edit()[0].id = {};
     CHECK(find(scene, ObjectId{}) == nullptr);
 }
 

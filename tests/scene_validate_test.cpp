@@ -40,7 +40,7 @@ Scene good_scene() {
         object.id = {static_cast<uint32_t>(scene.objects.size()) + 1};
         object.shape = shape;
         object.material = {1};
-        scene.objects.push_back(object);
+        scene.objects.edit().push_back(object);
     }
     return scene;
 }
@@ -140,43 +140,43 @@ TEST_CASE("validate: the background") {
 
 TEST_CASE("validate: materials and textures") {
     const auto metal = [](Scene& s, double fuzz) {
-        s.materials[0].kind = MaterialKind::Metal;
-        s.materials[0].fuzz = fuzz;
+        s.materials.edit()[0].kind = MaterialKind::Metal;
+        s.materials.edit()[0].fuzz = fuzz;
     };
     for (const double fuzz : {-0.1, 1.1, kNan})
         check_fatal("materials.paint.fuzz", "out of range", [=](Scene& s) { metal(s, fuzz); });
     for (const double ior : {0.0, -1.0, 1e9, kNan})
         check_fatal("materials.paint.ior", "out of range", [=](Scene& s) {
-            s.materials[0].kind = MaterialKind::Dielectric;
-            s.materials[0].ior = ior;
+            s.materials.edit()[0].kind = MaterialKind::Dielectric;
+            s.materials.edit()[0].ior = ior;
         });
     for (const double opacity : {-0.1, 1.1, kNan})
         check_fatal("materials.paint.opacity", "out of range",
-                    [=](Scene& s) { s.materials[0].opacity = opacity; });
+                    [=](Scene& s) { s.materials.edit()[0].opacity = opacity; });
     check_fatal("materials.paint.strength", "negative", [](Scene& s) {
-        s.materials[0].emits = true;
-        s.materials[0].strength = -1;
+        s.materials.edit()[0].emits = true;
+        s.materials.edit()[0].strength = -1;
     });
     check_fatal("materials.paint.emission", "a radiance of 1e+15 is too much", [](Scene& s) {
-        s.materials[0].emits = true;
-        s.materials[0].emission.color = {1, 1, 1e14};
-        s.materials[0].strength = 10;
+        s.materials.edit()[0].emits = true;
+        s.materials.edit()[0].emission.color = {1, 1, 1e14};
+        s.materials.edit()[0].strength = 10;
     });
     check_fatal("materials.paint.color", "negative", [](Scene& s) {
-        s.materials[0].color = {{-1, 0, 0}, {}};
+        s.materials.edit()[0].color = {{-1, 0, 0}, {}};
     });
     check_fatal("materials.paint.color", "does not exist",
-                [](Scene& s) { s.materials[0].color.texture = {9}; });
+                [](Scene& s) { s.materials.edit()[0].color.texture = {9}; });
     check_fatal("textures.checks.odd", "does not exist",
-                [](Scene& s) { s.textures[0].odd.texture = {9}; });
+                [](Scene& s) { s.textures.edit()[0].odd.texture = {9}; });
     check_fatal("textures.checks.cells[0]", "not finite",
-                [](Scene& s) { s.textures[0].cells.x = kNan; });
+                [](Scene& s) { s.textures.edit()[0].cells.x = kNan; });
     check_warning("materials.paint.color", "more light than it gets", [](Scene& s) {
-        s.materials[0].color = {{1.5, 0, 0}, {}};
+        s.materials.edit()[0].color = {{1.5, 0, 0}, {}};
     });
     check_fatal("materials", "\"paint\" is used twice", [](Scene& s) {
-        s.materials.push_back(s.materials[0]);
-        s.materials[1].id = {2};
+        s.materials.edit().push_back(s.materials[0]);
+        s.materials.edit()[1].id = {2};
     });
     // What has no name is called by where it is used.
     check_fatal("objects[3].material.fuzz", "out of range", [&](Scene& s) {
@@ -184,26 +184,26 @@ TEST_CASE("validate: materials and textures") {
         inline_metal.id = {2};
         inline_metal.kind = MaterialKind::Metal;
         inline_metal.fuzz = 2;
-        s.materials.push_back(inline_metal);
-        s.objects[3].material = {2};
+        s.materials.edit().push_back(inline_metal);
+        s.objects.edit()[3].material = {2};
     });
     check_fatal("materials.paint.color.even", "negative", [](Scene& s) {
-        s.textures[0].name.clear();
-        s.textures[0].even.color = Double3(-1);
+        s.textures.edit()[0].name.clear();
+        s.textures.edit()[0].even.color = Double3(-1);
     });
 }
 
 TEST_CASE("validate: checkers may share and nest, but not turn in a circle") {
     const auto chain = [](uint32_t length, uint32_t last) {
         Scene s = good_scene();
-        s.textures.clear();
+        s.textures.edit().clear();
         for (uint32_t i = 1; i <= length; ++i) {
             Texture t;
             t.id = {i};
             t.name = fmt::format("t{}", i);
             t.kind = TextureKind::Checker;
             t.even.texture = t.odd.texture = {i < length ? i + 1 : last};
-            s.textures.push_back(t);
+            s.textures.edit().push_back(t);
         }
         return s;
     };
@@ -223,28 +223,28 @@ TEST_CASE("validate: checkers may share and nest, but not turn in a circle") {
 
 TEST_CASE("validate: objects and their placement") {
     check_fatal("objects[0].material", "does not exist",
-                [](Scene& s) { s.objects[0].material = {5}; });
+                [](Scene& s) { s.objects.edit()[0].material = {5}; });
     check_fatal("objects[2].transform.scale", "leaves nothing",
-                [](Scene& s) { s.objects[2].transform.scale.y = 0; });
+                [](Scene& s) { s.objects.edit()[2].transform.scale.y = 0; });
     check_fatal("objects[2].transform.scale", "too small",
-                [](Scene& s) { s.objects[2].transform.scale.y = 1e-30; });
+                [](Scene& s) { s.objects.edit()[2].transform.scale.y = 1e-30; });
     check_fatal("objects[0]", "reaches too far", [](Scene& s) {
-        s.objects[0].shape = SphereShape{{0, 0, 0}, 1e10};
-        s.objects[0].transform.scale = Double3(1e10);
+        s.objects.edit()[0].shape = SphereShape{{0, 0, 0}, 1e10};
+        s.objects.edit()[0].transform.scale = Double3(1e10);
     });
     check_fatal("objects[0].shape.radius", "too small", [](Scene& s) {
-        s.objects[0].shape = SphereShape{{0, 0, 0}, 1e-10};
-        s.objects[0].transform.scale = Double3(1e-10);
+        s.objects.edit()[0].shape = SphereShape{{0, 0, 0}, 1e-10};
+        s.objects.edit()[0].transform.scale = Double3(1e-10);
     });
     check_fatal("objects[2].transform.rotate[1]", "not finite",
-                [](Scene& s) { s.objects[2].transform.rotation.y = kNan; });
+                [](Scene& s) { s.objects.edit()[2].transform.rotation.y = kNan; });
     check_fatal("objects[2].transform.translate[1]", "too large",
-                [](Scene& s) { s.objects[2].transform.translation.y = -1e30; });
+                [](Scene& s) { s.objects.edit()[2].transform.translation.y = -1e30; });
 }
 
 TEST_CASE("validate: shapes without a size are never hit, shapes that cannot be are refused") {
     const auto shape = [](size_t index, auto value) {
-        return [=](Scene& s) { s.objects[index].shape = value; };
+        return [=](Scene& s) { s.objects.edit()[index].shape = value; };
     };
     check_warning("objects[0].shape.radius", "radius 0: it is never hit",
                   shape(0, SphereShape{{0, 0, 0}, 0}));
@@ -268,7 +268,7 @@ TEST_CASE("validate: shapes without a size are never hit, shapes that cannot be 
                   shape(7, TriangleShape{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}));
     CHECK(validate([] {
               Scene s = good_scene();
-              s.objects[0].shape = SphereShape{{0, 0, 0}, -1};
+              s.objects.edit()[0].shape = SphereShape{{0, 0, 0}, -1};
               return s;
           }())
               .empty());
@@ -277,8 +277,8 @@ TEST_CASE("validate: shapes without a size are never hit, shapes that cannot be 
 TEST_CASE("validate: generators") {
     const auto grid = [](auto change) {
         return [=](Scene& s) {
-            s.generators.resize(1);
-            change(s.generators[0].grid);
+            s.generators.edit().resize(1);
+            change(s.generators.edit()[0].grid);
         };
     };
     check_fatal("generate[0].columns", "out of range", grid([](SphereGrid& g) { g.columns = -1; }));
@@ -293,8 +293,8 @@ TEST_CASE("validate: generators") {
                     g.keep_clear = {Double4(0), Double4(0, 0, 0, kNan)};
                 }));
     check_fatal("generate[2]", "more than 20 million", [](Scene& s) {
-        s.generators.resize(4);
-        for (Generator& g : s.generators)
+        s.generators.edit().resize(4);
+        for (Generator& g : s.generators.edit())
             g.grid.columns = g.grid.rows = 3000;
     });
 }
@@ -304,11 +304,11 @@ TEST_CASE("validate: takes a time that is linear in what there is") {
     for (uint32_t i = 2; i < 200000; ++i) {
         Material material;
         material.id = {i};
-        scene.materials.push_back(material);
+        scene.materials.edit().push_back(material);
         Object object;
         object.id = {100 + i};
         object.material = {i};
-        scene.objects.push_back(object);
+        scene.objects.edit().push_back(object);
     }
     const auto start = std::chrono::steady_clock::now();
     CHECK(validate(scene).empty());

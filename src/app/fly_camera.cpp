@@ -1,9 +1,12 @@
 #include "fly_camera.h"
 
+#include <teapath/editor/refusal.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tp {
 namespace {
@@ -11,6 +14,9 @@ namespace {
 constexpr double kRadians = 3.14159265358979323846 / 180;
 constexpr double kPoleDegrees = 1;  // how near to straight up or down one may look
 constexpr double kLowestFov = 1, kHighestFov = 120;
+// Look distances, in scene units and for each unit that the camera is away from the origin: below
+// them look_at and look_from would become one by rounding.
+constexpr double kLeastDistance = 1e-6, kLeastDistanceFarAway = 1e-8;
 
 Double3 turned(const Double3& v, const Double3& axis, double degrees) {
     return Double3(glm::rotate(DoubleMat4(1), degrees * kRadians, axis) * Double4(v, 0));
@@ -32,6 +38,12 @@ double limited_pitch(const Double3& view, const Double3& up, double pitch) {
     return std::clamp(pitch, low, high);
 }
 
+// `moved`, or the camera before where no scene can hold that: not finite, too far away, looking
+// nowhere.
+Camera if_possible(const Camera& moved, const Camera& before) {
+    return refusal(std::vector<Camera>{moved}).empty() ? moved : before;
+}
+
 }  // namespace
 
 CameraAxes axes_of(const Camera& camera) {
@@ -47,7 +59,6 @@ CameraAxes axes_of(const Camera& camera) {
 Camera fly(const Camera& camera, const FlyInput& input) {
     Camera moved = camera;
     const Double3 up = direction_of(camera.up, {0, 1, 0});
-    const double distance = std::max(1e-6, glm::distance(camera.look_from, camera.look_at));
     CameraAxes axes = axes_of(camera);
     if (input.yaw != 0 || input.pitch != 0) {
         axes.right = turned(axes.right, up, -input.yaw);
@@ -58,9 +69,12 @@ Camera fly(const Camera& camera, const FlyInput& input) {
     const double length = glm::length(direction);
     if (length > 1) direction /= length;
     if (length == 0 && input.yaw == 0 && input.pitch == 0) return camera;
-    moved.look_from += direction * (input.speed * input.seconds);
+    if (length > 0) moved.look_from += direction * (input.speed * input.seconds);
+    const double distance =
+        std::max({glm::distance(camera.look_from, camera.look_at), kLeastDistance,
+                  kLeastDistanceFarAway * glm::length(moved.look_from)});
     moved.look_at = moved.look_from + axes.forward * distance;
-    return moved;
+    return if_possible(moved, camera);
 }
 
 Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitch) {
@@ -74,7 +88,7 @@ Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitc
     };
     moved.look_from = pivot + turn(camera.look_from - pivot);
     moved.look_at = moved.look_from + turn(camera.look_at - camera.look_from);
-    return moved;
+    return if_possible(moved, camera);
 }
 
 Camera pan(const Camera& camera, const Double2& pixels, double height, double depth) {
@@ -84,7 +98,7 @@ Camera pan(const Camera& camera, const Double2& pixels, double height, double de
     Camera moved = camera;
     moved.look_from += shift;
     moved.look_at += shift;
-    return moved;
+    return if_possible(moved, camera);
 }
 
 Camera widened(const Camera& camera, double degrees) {
@@ -92,7 +106,7 @@ Camera widened(const Camera& camera, double degrees) {
     const double fov = camera.vertical_fov;
     moved.vertical_fov =
         std::clamp(fov + degrees, std::min(fov, kLowestFov), std::max(fov, kHighestFov));
-    return moved;
+    return if_possible(moved, camera);
 }
 
 Camera frame(const Camera& camera, const Double3& center, double radius, double aspect) {
@@ -101,7 +115,7 @@ Camera frame(const Camera& camera, const Double3& center, double radius, double 
     const double distance = 1.2 * radius / std::sin(std::atan(half));
     moved.look_at = center;
     moved.look_from = center - axes_of(camera).forward * distance;
-    return moved;
+    return if_possible(moved, camera);
 }
 
 ViewRay view_ray(const Camera& camera, double aspect, double x, double y) {

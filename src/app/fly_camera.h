@@ -1,5 +1,6 @@
 // Moving a camera of the document as one flies: pure functions of the camera, keys and time. None
-// of them makes a camera that looks nowhere, whatever it is given.
+// of them makes a camera that a scene cannot hold, whatever it is given: where one would come of
+// it, the camera stays as it is.
 #pragma once
 
 #include <teapath/scene/camera.h>
@@ -20,7 +21,7 @@ struct CameraAxes {
 CameraAxes axes_of(const Camera& camera);
 
 /// The camera after the input: it turns about itself and moves along its own axes (up: the
-/// world's), and looks as far as before.
+/// world's), and looks as far as before, or as far as it must to have a direction at all.
 Camera fly(const Camera& camera, const FlyInput& input);
 
 /// The camera turned about `pivot` by degrees, as orbiting does.

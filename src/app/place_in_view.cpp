@@ -26,7 +26,7 @@ Place place_in_view(const Scene& scene) {
     Scene shapes;
     shapes.cameras = {camera};
     shapes.objects = scene.objects;
-    for (Object& o : shapes.objects)
+    for (Object& o : shapes.objects.edit())
         o.material = {};
     shapes.generators = scene.generators;
     SceneArrays arrays;

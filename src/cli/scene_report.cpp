@@ -21,11 +21,11 @@ KindCounts count_shapes(const std::vector<Object>& objects) {
     return found;
 }
 
-template <class Kind, class Thing>
-KindCounts count_kinds(const std::vector<Thing>& things) {
+template <class Kind, class List>
+KindCounts count_kinds(const List& things) {
     KindCounts found;
     for (const auto& row : EnumTable<Kind>::rows) {
-        const auto count = std::count_if(things.begin(), things.end(), [&](const Thing& thing) {
+        const auto count = std::count_if(things.begin(), things.end(), [&](const auto& thing) {
             return thing.kind == row.value;
         });
         if (count > 0) found.emplace_back(row.name, count);

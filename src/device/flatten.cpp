@@ -107,7 +107,8 @@ bool looks_same(const T& a, const T& b) {
     return renamed == b;
 }
 template <class T>
-bool all_look_same(const std::vector<T>& a, const std::vector<T>& b) {
+bool all_look_same(const SharedList<T>& a, const SharedList<T>& b) {
+    if (&a.items() == &b.items()) return true;
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), looks_same<T>);
 }
 
@@ -141,10 +142,9 @@ void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays) {
 SceneParts changed_parts(const Scene& before, const Scene& after) {
     SceneParts parts = SceneParts::None;
     const auto same_ids = [](const auto& a, const auto& b) {
-        if (a.size() != b.size()) return false;
-        for (size_t i = 0; i < a.size(); ++i)
-            if (a[i].id != b[i].id) return false;
-        return true;
+        if (&a.items() == &b.items()) return true;
+        return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                          [](const auto& x, const auto& y) { return x.id == y.id; });
     };
     // Records are numbered in the order of the materials, so that order is part of the geometry.
     if (!all_look_same(before.objects, after.objects) ||

@@ -69,24 +69,36 @@ Camera camera_after(const std::vector<HistoryStep>& steps, size_t from, size_t t
     return camera;
 }
 
-// What a scene takes in memory without its images, which scenes share.
-size_t bytes_of(const Scene& scene) {
-    const auto listed = [](const auto& things) {
-        size_t bytes = 0;
-        for (const auto& thing : things)
-            bytes += sizeof thing + thing.name.capacity();
+// The memory that scenes take together, each list and image once. Long names are not counted.
+class MemoryCount {
+public:
+    /// Adds a scene; returns the bytes that none before it had.
+    size_t add(const Scene& scene) {
+        size_t bytes = add_part(&scene, sizeof(Scene) + scene.description.capacity() +
+                                            scene.cameras.size() * sizeof(Camera));
+        bytes += add_list(scene.objects) + add_list(scene.generators) + add_list(scene.materials);
+        bytes += add_image(scene.background.file);
+        if (const size_t list = add_list(scene.textures); list > 0) {
+            bytes += list;
+            for (const Texture& texture : scene.textures)
+                bytes += add_image(texture.file);
+        }
         return bytes;
-    };
-    return sizeof(Scene) + scene.description.capacity() + listed(scene.cameras) +
-           listed(scene.objects) + listed(scene.generators) + listed(scene.materials) +
-           listed(scene.textures);
-}
+    }
 
-void add_images(const Scene& scene, std::unordered_set<const Image*>& images) {
-    images.insert(scene.background.file.image.get());
-    for (const Texture& texture : scene.textures)
-        images.insert(texture.file.image.get());
-}
+private:
+    size_t add_part(const void* part, size_t bytes) {
+        return parts_.insert(part).second ? bytes : 0;
+    }
+    template <class T>
+    size_t add_list(const SharedList<T>& list) {
+        return add_part(&list.items(), list.size() * sizeof(T));
+    }
+    size_t add_image(const ImageFile& file) {
+        return file.image ? add_part(file.image.get(), file.image->bytes.size()) : 0;
+    }
+    std::unordered_set<const void*> parts_;
+};
 
 }  // namespace
 
@@ -112,7 +124,7 @@ void Document::reset(Scene scene, std::filesystem::path file) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
     saved_ = scene_;
     ++edits_;
-    steps_ = {{"Open", "", scene_, active_camera(*scene_), false, bytes_of(*scene_)}};
+    steps_ = {{"Open", "", scene_, active_camera(*scene_), false}};
     position_ = 0;
     merging_ = false;
     modified_ = false;
@@ -134,10 +146,9 @@ void Document::edit(const std::string& label, const std::string& merge_key,
     if (merges) {
         steps_[position_].scene = scene_;
         steps_[position_].is_jump |= is_jump;
-        steps_[position_].bytes = bytes_of(*scene_);
     } else {
         steps_.resize(position_ + 1);
-        steps_.push_back({label, merge_key, scene_, camera_before, is_jump, bytes_of(*scene_)});
+        steps_.push_back({label, merge_key, scene_, camera_before, is_jump});
         position_ = steps_.size() - 1;
     }
     trim_history();
@@ -159,15 +170,11 @@ void Document::trim_history() {
 }
 
 size_t Document::history_bytes() const {
-    std::unordered_set<const Image*> images, present{nullptr};
-    add_images(*scene_, present);
+    MemoryCount memory;
+    memory.add(*scene_);
     size_t bytes = 0;
-    for (const HistoryStep& step : steps_) {
-        if (step.scene != scene_) bytes += step.bytes;
-        add_images(*step.scene, images);
-    }
-    for (const Image* image : images)
-        if (!present.count(image)) bytes += image->bytes.size();
+    for (const HistoryStep& step : steps_)
+        bytes += memory.add(*step.scene);
     return bytes;
 }
 

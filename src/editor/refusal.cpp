@@ -20,7 +20,7 @@ void forget_texture(TexturedColor& color) {
 std::string refusal(const std::vector<Object>& objects) {
     Scene probe;
     probe.objects = objects;
-    for (Object& o : probe.objects)
+    for (Object& o : probe.objects.edit())
         o.material = {};
     return first_fatal(probe);
 }
@@ -28,7 +28,7 @@ std::string refusal(const std::vector<Object>& objects) {
 std::string refusal(const std::vector<Material>& materials) {
     Scene probe;
     probe.materials = materials;
-    for (Material& m : probe.materials) {
+    for (Material& m : probe.materials.edit()) {
         m.name.clear();
         forget_texture(m.color);
         forget_texture(m.emission);
@@ -39,7 +39,7 @@ std::string refusal(const std::vector<Material>& materials) {
 std::string refusal(const std::vector<Texture>& textures) {
     Scene probe;
     probe.textures = textures;
-    for (Texture& t : probe.textures) {
+    for (Texture& t : probe.textures.edit()) {
         t.name.clear();
         forget_texture(t.even);
         forget_texture(t.odd);

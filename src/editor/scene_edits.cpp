@@ -65,7 +65,7 @@ ObjectId add_object(Scene& scene, const ShapeKind& kind, const Double3& place, d
     object.transform.translation = place;
     object.transform.scale = Double3(size);
     object.material = add_material(scene, MaterialKind::Lambertian);
-    scene.objects.push_back(object);
+    scene.objects.edit().push_back(object);
     return object.id;
 }
 
@@ -83,7 +83,7 @@ std::vector<ObjectId> duplicate_objects(Scene& scene, const std::vector<ObjectId
         if (names_anew && !copy.name.empty()) copy.name = free_name(scene.objects, copy.name);
         copy.transform.translation.x += extent_of(copy).radius * 1.2;
         made.push_back(copy.id);
-        scene.objects.push_back(std::move(copy));
+        scene.objects.edit().push_back(std::move(copy));
         ++id.value;
     }
     return made;
@@ -91,14 +91,14 @@ std::vector<ObjectId> duplicate_objects(Scene& scene, const std::vector<ObjectId
 
 void delete_objects(Scene& scene, const std::vector<ObjectId>& ids) {
     const std::set<ObjectId> unwanted(ids.begin(), ids.end());
-    std::erase_if(scene.objects, [&](const Object& o) { return unwanted.count(o.id) > 0; });
+    std::erase_if(scene.objects.edit(), [&](const Object& o) { return unwanted.count(o.id) > 0; });
 }
 
 MaterialId add_material(Scene& scene, const Material& like) {
     Material material = like;
     material.id = next_id(scene.materials);
     material.name = free_name(scene.materials, material.name.empty() ? "material" : material.name);
-    scene.materials.push_back(material);
+    scene.materials.edit().push_back(material);
     return material.id;
 }
 
@@ -131,19 +131,19 @@ GeneratorId add_sphere_grid(Scene& scene, const Double3& place) {
     generator.grid.columns = generator.grid.rows = 6;
     generator.grid.center = {place.x, place.z};
     generator.grid.ground = place.y;
-    scene.generators.push_back(generator);
+    scene.generators.edit().push_back(generator);
     return generator.id;
 }
 
 void assign_material(Scene& scene, const std::vector<ObjectId>& ids, MaterialId material) {
     const std::set<ObjectId> wanted(ids.begin(), ids.end());
-    for (Object& o : scene.objects)
+    for (Object& o : scene.objects.edit())
         if (wanted.count(o.id)) o.material = material;
 }
 
 void set_visible(Scene& scene, const std::vector<ObjectId>& ids, bool visible) {
     const std::set<ObjectId> wanted(ids.begin(), ids.end());
-    for (Object& o : scene.objects)
+    for (Object& o : scene.objects.edit())
         if (wanted.count(o.id)) o.visible = visible;
 }
 
@@ -154,7 +154,7 @@ TextureId add_texture(Scene& scene, TextureKind kind) {
     texture.name = free_name(scene.textures, kind == TextureKind::Image     ? "image"
                                              : kind == TextureKind::Checker ? "checker"
                                                                             : "colour");
-    scene.textures.push_back(texture);
+    scene.textures.edit().push_back(texture);
     return texture.id;
 }
 
@@ -163,19 +163,19 @@ void realize_generators(Scene& scene) {
 }
 
 Object* find_object(Scene& scene, ObjectId id) {
-    return find_in(scene.objects, id);
+    return find_in(scene.objects.edit(), id);
 }
 Material* find_material(Scene& scene, MaterialId id) {
-    return find_in(scene.materials, id);
+    return find_in(scene.materials.edit(), id);
 }
 Texture* find_texture(Scene& scene, TextureId id) {
-    return find_in(scene.textures, id);
+    return find_in(scene.textures.edit(), id);
 }
 Camera* find_camera(Scene& scene, CameraId id) {
     return find_in(scene.cameras, id);
 }
 Generator* find_generator(Scene& scene, GeneratorId id) {
-    return find_in(scene.generators, id);
+    return find_in(scene.generators.edit(), id);
 }
 
 std::string display_name(const Object& object) {

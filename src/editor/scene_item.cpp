@@ -10,14 +10,14 @@ namespace {
 template <class AnyScene, class F>
 auto with_things(AnyScene& scene, ItemKind kind, const F& f) {
     switch (kind) {
-        case ItemKind::Generator: return f(scene.generators);
+        case ItemKind::Generator: return f(elements(scene.generators));
         case ItemKind::Camera: return f(scene.cameras);
-        case ItemKind::Material: return f(scene.materials);
-        case ItemKind::Texture: return f(scene.textures);
+        case ItemKind::Material: return f(elements(scene.materials));
+        case ItemKind::Texture: return f(elements(scene.textures));
         case ItemKind::Object:
         case ItemKind::Background: break;
     }
-    return f(scene.objects);
+    return f(elements(scene.objects));
 }
 
 template <class Things>
@@ -39,7 +39,7 @@ const char* kind_name(ItemKind kind) {
 }
 
 void forget_material(Scene& scene, MaterialId id) {
-    for (Object& o : scene.objects)
+    for (Object& o : scene.objects.edit())
         if (o.material == id) o.material = {};
 }
 
@@ -47,11 +47,11 @@ void forget_texture(Scene& scene, TextureId id) {
     const auto forget = [id](TexturedColor& color) {
         if (color.texture == id) color.texture = {};
     };
-    for (Material& m : scene.materials) {
+    for (Material& m : scene.materials.edit()) {
         forget(m.color);
         forget(m.emission);
     }
-    for (Texture& t : scene.textures) {
+    for (Texture& t : scene.textures.edit()) {
         forget(t.even);
         forget(t.odd);
     }

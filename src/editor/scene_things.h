@@ -16,22 +16,22 @@ T* find_in(std::vector<T>& things, Id id) {
     return id && found != things.end() ? &*found : nullptr;
 }
 
-template <class T>
-auto next_id(const std::vector<T>& things) {
-    decltype(T::id) id{0};
-    for (const T& t : things)
+template <class List>
+auto next_id(const List& things) {
+    decltype(List::value_type::id) id{0};
+    for (const auto& t : things)
         id.value = std::max(id.value, t.id.value);
     ++id.value;
     return id;
 }
 
 /// The wish, or the wish with the first number that makes it one of its own; `except` may have it.
-template <class T>
-std::string free_name(const std::vector<T>& things, const std::string& wish,
-                      const T* except = nullptr) {
+template <class List>
+std::string free_name(const List& things, const std::string& wish,
+                      const typename List::value_type* except = nullptr) {
     const auto taken = [&](const std::string& name) {
         return std::any_of(things.begin(), things.end(),
-                           [&](const T& t) { return &t != except && t.name == name; });
+                           [&](const auto& t) { return &t != except && t.name == name; });
     };
     if (!taken(wish)) return wish;
     for (int n = 2;; ++n)

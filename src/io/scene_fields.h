@@ -207,10 +207,10 @@ void scene_fields(V& v, Scene& s) {
     v.object("render", s.render, [](auto& w, RenderSettings& r) { render_fields(w, r); });
     v.object("display", s.display, [](auto& w, DisplaySettings& d) { display_fields(w, d); });
     v.object("background", s.background, [](auto& w, Background& b) { background_fields(w, b); });
-    v.named("textures", s.textures);
-    v.named("materials", s.materials);
-    v.list("objects", s.objects, [](auto& w, Object& o) { object_fields(w, o); });
-    v.list("generate", s.generators, [](auto& w, Generator& g) { generator_fields(w, g); });
+    v.named("textures", s.textures.edit());
+    v.named("materials", s.materials.edit());
+    v.list("objects", s.objects.edit(), [](auto& w, Object& o) { object_fields(w, o); });
+    v.list("generate", s.generators.edit(), [](auto& w, Generator& g) { generator_fields(w, g); });
 }
 
 }  // namespace tp

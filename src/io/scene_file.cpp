@@ -24,7 +24,7 @@ constexpr uintmax_t kMaxFileBytes = uintmax_t{1} << 30;
 // Calls `f` with every image file that the scene shows.
 template <class SceneType, class F>
 void for_each_image(SceneType& scene, F&& f) {
-    for (auto& texture : scene.textures)
+    for (auto& texture : elements(scene.textures))
         if (texture.kind == TextureKind::Image) f(texture.file);
     if (scene.background.kind == BackgroundKind::Image) f(scene.background.file);
 }

@@ -225,7 +225,7 @@ void SceneReader::operator()(const char* key, MaterialId& value) {
     inner.finish();
     value = {static_cast<uint32_t>(state_.scene.materials.size()) + 1};
     material.id = value;
-    state_.scene.materials.push_back(std::move(material));
+    state_.scene.materials.edit().push_back(std::move(material));
 }
 
 void SceneReader::color(const char* key, Double3& value) {
@@ -336,13 +336,13 @@ TextureId SceneReader::inline_texture(const Json& json, const std::string& path)
     // The place is taken before the fields are read, which may bring textures of their own.
     const size_t index = state_.scene.textures.size();
     const TextureId id{static_cast<uint32_t>(index) + 1};
-    state_.scene.textures.emplace_back();
+    state_.scene.textures.edit().emplace_back();
     SceneReader inner(state_, json, path);
     Texture texture;
     texture_fields(inner, texture);
     inner.finish();
     texture.id = id;
-    state_.scene.textures[index] = std::move(texture);
+    state_.scene.textures.edit()[index] = std::move(texture);
     return id;
 }
 
@@ -361,7 +361,7 @@ void SceneReader::named(const char* key, std::vector<Texture>&) {
         check_name(name, key);
         const TextureId id{static_cast<uint32_t>(state_.scene.textures.size()) + 1};
         state_.texture_names[name] = id;
-        state_.scene.textures.emplace_back();
+        state_.scene.textures.edit().emplace_back();
     }
     for (const auto& [name, value] : json->items()) {
         SceneReader inner(state_, value, fmt::format("{}.{}", key, name));
@@ -370,7 +370,7 @@ void SceneReader::named(const char* key, std::vector<Texture>&) {
         texture.name = name;
         texture_fields(inner, texture);
         inner.finish();
-        state_.scene.textures[texture.id.value - 1] = std::move(texture);
+        state_.scene.textures.edit()[texture.id.value - 1] = std::move(texture);
     }
 }
 
@@ -389,7 +389,7 @@ void SceneReader::named(const char* key, std::vector<Material>&) {
         material.id = {static_cast<uint32_t>(state_.scene.materials.size()) + 1};
         material.name = name;
         state_.material_names[name] = material.id;
-        state_.scene.materials.push_back(std::move(material));
+        state_.scene.materials.edit().push_back(std::move(material));
     }
 }
 

@@ -155,10 +155,10 @@ bool is_number_out_of_range(std::string_view text) {
 }
 
 Scene without_things(Scene scene) {
-    scene.objects.clear();
-    scene.generators.clear();
-    scene.materials.clear();
-    scene.textures.clear();
+    scene.objects = {};
+    scene.generators = {};
+    scene.materials = {};
+    scene.textures = {};
     return scene;
 }
 

@@ -55,9 +55,9 @@ WriteState::WriteState(const Scene& s, bool defaults) : scene(s), with_defaults(
         if (o.material) ++material_uses[o.material];
     give_names(camera_names, s.cameras, "camera",
                [&](CameraId id) { return id == s.active_camera && s.cameras.front().id != id; });
-    give_names(texture_names, s.textures, "texture",
+    give_names(texture_names, s.textures.items(), "texture",
                [&](TextureId id) { return texture_uses[id] > 1; });
-    give_names(material_names, s.materials, "material",
+    give_names(material_names, s.materials.items(), "material",
                [&](MaterialId id) { return material_uses[id] > 1; });
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tp {
 namespace {
@@ -54,11 +55,16 @@ bool is_kept_clear(const SphereGrid& grid, const Double3& p) {
                        [&](const Double4& s) { return glm::distance(p, Double3(s)) <= s.w; });
 }
 
+// The corner of the grid's first cell: x, z.
+Double2 first_corner(const SphereGrid& grid) {
+    return grid.center - Double2(grid.columns, grid.rows) * (grid.spacing / 2);
+}
+
 void expand_grid(const Generator& generator, uint32_t& object_id, uint32_t& material_id,
                  Scene& scene) {
     const SphereGrid& grid = generator.grid;
     const TeaKey key = tea_key(0, grid.seed);
-    const Double2 low = grid.center - Double2(grid.columns, grid.rows) * (grid.spacing / 2);
+    const Double2 low = first_corner(grid);
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             CellRandom random(key, column, row);
@@ -69,29 +75,38 @@ void expand_grid(const Generator& generator, uint32_t& object_id, uint32_t& mate
             if (is_kept_clear(grid, center)) continue;
             Material material = random_material(grid, random);
             material.id = {++material_id};
-            scene.materials.push_back(std::move(material));
+            scene.materials.edit().push_back(std::move(material));
             Object object;
             object.id = {++object_id};
             object.shape = SphereShape{center, grid.radius};
             object.material = {material_id};
-            scene.objects.push_back(std::move(object));
+            scene.objects.edit().push_back(std::move(object));
         }
     }
 }
 
-template <class T>
-uint32_t largest_id(const std::vector<T>& things) {
+template <class List>
+uint32_t largest_id(const List& things) {
     uint32_t largest = 0;
-    for (const T& thing : things)
+    for (const auto& thing : things)
         largest = std::max(largest, thing.id.value);
     return largest;
 }
 
 }  // namespace
 
+GridBox box_of_centers(const SphereGrid& grid) {
+    const Double2 first = first_corner(grid) + std::min(0.0, grid.jitter) * grid.spacing;
+    const Double2 cells(grid.columns - 1, grid.rows - 1);
+    const Double2 last = first + (cells + std::abs(grid.jitter)) * grid.spacing;
+    const double y = grid.ground + grid.radius;
+    const Double2 low = glm::min(first, last), high = glm::max(first, last);
+    return {{low.x, y, low.y}, {high.x, y, high.y}};
+}
+
 Scene expand_generators(const Scene& scene) {
     Scene expanded = scene;
-    expanded.generators.clear();
+    expanded.generators = {};
     uint32_t object_id = largest_id(scene.objects), material_id = largest_id(scene.materials);
     for (const Generator& generator : scene.generators)
         expand_grid(generator, object_id, material_id, expanded);

@@ -15,13 +15,13 @@ const T* find_by_id(const std::vector<T>& things, Id id) {
 }  // namespace
 
 const Material* find(const Scene& scene, MaterialId id) {
-    return find_by_id(scene.materials, id);
+    return find_by_id(scene.materials.items(), id);
 }
 const Texture* find(const Scene& scene, TextureId id) {
-    return find_by_id(scene.textures, id);
+    return find_by_id(scene.textures.items(), id);
 }
 const Object* find(const Scene& scene, ObjectId id) {
-    return find_by_id(scene.objects, id);
+    return find_by_id(scene.objects.items(), id);
 }
 const Camera* find(const Scene& scene, CameraId id) {
     return find_by_id(scene.cameras, id);

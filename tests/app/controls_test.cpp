@@ -23,7 +23,7 @@ namespace {
 // One object of each shape, one material of each kind, and textures.
 Scene scene_of_everything() {
     Scene scene = small_scene();
-    scene.objects.resize(1);
+    scene.objects.edit().resize(1);
     for (const ShapeKind& kind : shape_kinds()) {
         const auto x = static_cast<double>(scene.objects.size()) - 4;
         add_object(scene, kind, {x, 0.5, 0}, 0.6);

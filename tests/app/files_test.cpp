@@ -41,7 +41,7 @@ TEST_CASE("files: a dropped scene is opened, and its picture comes") {
     WindowTest t;
     Scene other = small_scene();
     other.name = "Other";
-    other.objects.pop_back();
+    other.objects.edit().pop_back();
     const std::filesystem::path file = write_scene(other, "other.json");
     t.drop(file);
     settle(t);
@@ -90,9 +90,10 @@ TEST_CASE("files: saved by Ctrl-S and read again, the scene is the same") {
     WindowTest t;
     t.run([&](ImGuiTestContext* ctx) {
         Document& document = t.app->document;
-        document.edit("Rename", "", [](Scene& s) { s.objects[1].name = "a \"name\" \xc3\xa4 %s"; });
+        document.edit("Rename", "",
+                      [](Scene& s) { s.objects.edit()[1].name = "a \"name\" \xc3\xa4 %s"; });
         document.edit("Move", "", [](Scene& s) {
-            s.objects[1].transform.translation = {0.1, 1. / 3, 1e-7};
+            s.objects.edit()[1].transform.translation = {0.1, 1. / 3, 1e-7};
         });
         CHECK(document.is_modified());
         ctx->KeyPress(ImGuiMod_Ctrl | ImGuiKey_S);

@@ -190,7 +190,7 @@ TEST_CASE("panels: everything of the Add menu is added, selected and valid, on w
     CHECK(place.is_surface);  // the ball in the middle
     CHECK(place.point.z == doctest::Approx(0.5).epsilon(0.2));
     Scene sky = small_scene();
-    sky.objects.clear();
+    sky.objects.edit().clear();
     CHECK_FALSE(place_in_view(sky).is_surface);
 }
 
@@ -231,14 +231,14 @@ TEST_CASE("panels: pictures of materials are rendered in the background") {
 
 TEST_CASE("panels: a hundred thousand objects and a name of 200 characters") {
     Scene scene = small_scene();
-    scene.objects[1].name = std::string(200, 'w');
+    scene.objects.edit()[1].name = std::string(200, 'w');
     WindowTest t(scene);
     t.app->document.edit("Many", "", [](Scene& s) {
         for (uint32_t i = 5; i < 100'000; ++i) {
             Object o = s.objects[1];
             o.id = {i};
             o.shape = SphereShape{{0.01 * i, 0.5, -20}, 0.004};
-            s.objects.push_back(o);
+            s.objects.edit().push_back(o);
         }
     });
     t.frames(3);

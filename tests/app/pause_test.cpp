@@ -54,7 +54,7 @@ TEST_CASE("pause: an edit shows at once and then holds; undo shows the old pictu
     };
     const double before = mean_red();
     t.app->document.edit("Red floor", "", [](Scene& s) {
-        s.materials[0].color.color = {0.9, 0, 0};
+        s.materials.edit()[0].color.color = {0.9, 0, 0};
     });
     CHECK(t.frames_until([&] { return mean_red() > before + 20; }));
     t.frames(30);

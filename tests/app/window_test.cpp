@@ -76,7 +76,7 @@ Scene small_scene() {
         material.name = names[i];
         material.kind = kinds[i];
         material.color.color = i == 3 ? Double3(1) : Double3(0.6, 0.5, 0.4);
-        scene.materials.push_back(material);
+        scene.materials.edit().push_back(material);
     }
     Object floor;
     floor.id = {1};

@@ -44,12 +44,12 @@ tp::Scene read_spheres(const char* path) {
         material.color.color = kind == 2 ? tp::Double3(1, 1, 1) : color;
         if (kind == 1) material.fuzz = parameter;
         if (kind == 2) material.ior = parameter;
-        scene.materials.push_back(material);
+        scene.materials.edit().push_back(material);
         tp::Object object;
         object.id = {i};
         object.shape = sphere;
         object.material = {i};
-        scene.objects.push_back(object);
+        scene.objects.edit().push_back(object);
     }
     scene.render.width = 1200;
     scene.render.height = 800;

@@ -34,7 +34,7 @@ struct SceneMaker {
 
     MaterialId material(Material m) {
         m.id = {static_cast<uint32_t>(scene.materials.size()) + 1};
-        scene.materials.push_back(m);
+        scene.materials.edit().push_back(m);
         return m.id;
     }
     MaterialId lambertian(double albedo) {
@@ -65,7 +65,7 @@ struct SceneMaker {
     }
     TextureId texture(Texture t) {
         t.id = {static_cast<uint32_t>(scene.textures.size()) + 1};
-        scene.textures.push_back(t);
+        scene.textures.edit().push_back(t);
         return t.id;
     }
 
@@ -74,8 +74,8 @@ struct SceneMaker {
         o.id = {static_cast<uint32_t>(scene.objects.size()) + 1};
         o.shape = std::move(shape);
         o.material = material;
-        scene.objects.push_back(std::move(o));
-        return scene.objects.back();
+        scene.objects.edit().push_back(std::move(o));
+        return scene.objects.edit().back();
     }
     Object& sphere(Double3 center, double radius, MaterialId m) {
         return object(SphereShape{center, radius}, m);

@@ -17,18 +17,17 @@ namespace tp {
 
 using ScenePtr = std::shared_ptr<const Scene>;
 
-/// One step of the history: the scene after it. Copies of a scene share their images.
+/// One step of the history: the scene after it. Steps share what they did not change.
 struct HistoryStep {
     std::string label;      // "Move sphere"
     std::string merge_key;  // a drag's steps carry the same key and become one
     ScenePtr scene;
     Camera camera_before;  // the active camera just before the step, wherever it had been flown
     bool is_jump = false;  // the step changed the active camera
-    size_t bytes = 0;      // that the scene takes, without its images
 };
 
 /// What a history may grow to. Beyond it the oldest steps go, but for the first one: the way back
-/// to the start stays. Images that only the history still holds count too.
+/// to the start stays. Lists and images that only the history still holds count, each once.
 struct HistoryLimit {
     size_t steps = 256;
     size_t bytes = size_t{512} << 20;

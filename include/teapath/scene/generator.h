@@ -31,6 +31,12 @@ struct SphereGrid {
     friend bool operator==(const SphereGrid&, const SphereGrid&) = default;
 };
 
+/// The box that holds the centres of the grid's spheres, whatever its seed.
+struct GridBox {
+    Double3 low, high;
+};
+GridBox box_of_centers(const SphereGrid& grid);
+
 struct Generator {
     GeneratorId id;
     std::string name;

@@ -1,7 +1,9 @@
-// The document: everything that a scene file holds, as plain values. Copies are snapshots (images
-// are shared), == is a test. Nothing here is derived; BVH, lights and arrays are made in device/.
+// The document: everything that a scene file holds, as plain values. Copies are snapshots and
+// cheap, for they share images, and lists that may be long until these change; == is a test.
+// Nothing here is derived; BVH, lights and arrays are made in device/.
 #pragma once
 
+#include <teapath/core/shared_list.h>
 #include <teapath/kernel/settings.h>
 #include <teapath/scene/camera.h>
 #include <teapath/scene/generator.h>
@@ -57,10 +59,10 @@ struct Scene {
     std::string description;
     std::vector<Camera> cameras;  // at least one after loading
     CameraId active_camera;       // the one to render; none = the first
-    std::vector<Object> objects;
-    std::vector<Generator> generators;
-    std::vector<Material> materials;
-    std::vector<Texture> textures;
+    SharedList<Object> objects;
+    SharedList<Generator> generators;
+    SharedList<Material> materials;
+    SharedList<Texture> textures;
     Background background;
     RenderSettings render;
     DisplaySettings display;

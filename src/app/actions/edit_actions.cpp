@@ -58,8 +58,8 @@ void select_all(PanelContext& c) {
 
 void clear_scene(PanelContext& c) {
     c.document.edit("Clear scene", "", [](Scene& s) {
-        s.objects.clear();
-        s.generators.clear();
+        s.objects = {};
+        s.generators = {};
     });
 }
 

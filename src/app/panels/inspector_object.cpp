@@ -184,7 +184,8 @@ void object_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
         fmt::format("object {}", active.id.value), selected.objects,
         [positions = selected.positions, ids = selected.ids](Scene& s, size_t i) {
             const size_t at = positions[i];
-            return at < s.objects.size() && s.objects[at].id == ids[i] ? &s.objects[at] : nullptr;
+            return at < s.objects.size() && s.objects[at].id == ids[i] ? &s.objects.edit()[at]
+                                                                       : nullptr;
         },
         standard);
     const bool same_shape = rows.is_same([](auto& o) { return o.shape.index(); });

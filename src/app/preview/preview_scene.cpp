@@ -54,7 +54,7 @@ void add_color(Hash& hash, const Scene& scene, const TexturedColor& color, int d
 void take_texture(const Scene& from, const TexturedColor& color, Scene& to, int depth) {
     const Texture* t = depth < kMaxNesting ? find(from, color.texture) : nullptr;
     if (!t || find(to, t->id)) return;
-    to.textures.push_back(*t);
+    to.textures.edit().push_back(*t);
     take_texture(from, t->even, to, depth + 1);
     take_texture(from, t->odd, to, depth + 1);
 }
@@ -103,7 +103,7 @@ Scene preview_scene(const Scene& scene, const Material& material, int size) {
     squares.even.color = Double3(0.5);
     squares.odd.color = Double3(0.22);
     squares.cells = {20, 20};
-    made.textures.push_back(squares);
+    made.textures.edit().push_back(squares);
     Material floor, lamp;
     floor.id = {2};
     floor.color.texture = squares.id;

@@ -98,7 +98,7 @@ NavigationResult navigate(NavigationState& state, const NavigationInput& in,
 
     // The wheel.
     const bool looking = state.drag == Drag::Look;
-    if (in.wheel != 0 && looking)
+    if (std::isfinite(in.wheel) && in.wheel != 0 && looking)
         result.fly_speed = std::clamp(settings.fly_speed * std::pow(kSpeedStep, in.wheel),
                                       kLowestSpeed, kHighestSpeed);
     else if (in.wheel != 0 && in.is_hovered && in.shift)

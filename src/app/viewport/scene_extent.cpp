@@ -1,6 +1,7 @@
 #include "scene_extent.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tp {
 namespace {
@@ -11,12 +12,36 @@ constexpr double kSecondsAcross = 4;
 struct Box {
     Double3 low{1e300}, high{-1e300};
 
-    void add(const Extent& e) {
-        low = glm::min(low, e.center - e.radius);
-        high = glm::max(high, e.center + e.radius);
+    void add(const Box& other) {
+        low = glm::min(low, other.low);
+        high = glm::max(high, other.high);
     }
+    void add(const Extent& e) { add(Box{e.center - e.radius, e.center + e.radius}); }
     Extent extent() const { return {(low + high) * 0.5, glm::distance(low, high) / 2}; }
 };
+
+// Objects of one size: one of the document's, or all of a generator's, which are never made here.
+struct Group {
+    Box box;
+    double radius;  // of each object
+    size_t count;
+};
+
+Group group_of(const Object& object) {
+    const Extent extent = extent_of(object);
+    Group group{{}, extent.radius, 1};
+    group.box.add(extent);
+    return group;
+}
+
+Group group_of(const SphereGrid& grid) {
+    const GridBox centers = box_of_centers(grid);
+    // A sphere's surroundings are those of its box, as for an object.
+    const double radius = std::max(std::abs(grid.radius) * std::sqrt(3.0), 1e-6);
+    return {{centers.low - radius, centers.high + radius},
+            radius,
+            static_cast<size_t>(grid.columns) * static_cast<size_t>(grid.rows)};
+}
 
 }  // namespace
 
@@ -46,20 +71,28 @@ std::vector<const Object*> selected_objects(const Scene& scene,
 }
 
 std::optional<Extent> extent_of_all(const Scene& scene) {
-    Scene expanded;
-    if (!scene.generators.empty()) expanded = expand_generators(scene);
-    std::vector<Extent> extents;
-    for (const Object& o : (scene.generators.empty() ? scene : expanded).objects)
-        if (o.visible) extents.push_back(extent_of(o));
-    if (extents.empty()) return std::nullopt;
-    std::sort(extents.begin(), extents.end(),
-              [](const Extent& a, const Extent& b) { return a.radius < b.radius; });
+    std::vector<Group> groups;
+    size_t larger = 0;  // objects in the groups to come
+    const auto add = [&](const Group& group) {
+        groups.push_back(group);
+        larger += group.count;
+    };
+    for (const Object& o : scene.objects)
+        if (o.visible) add(group_of(o));
+    for (const Generator& g : scene.generators)
+        if (g.grid.columns > 0 && g.grid.rows > 0) add(group_of(g.grid));
+    if (groups.empty()) return std::nullopt;
+    std::sort(groups.begin(), groups.end(),
+              [](const Group& a, const Group& b) { return a.radius < b.radius; });
     Box box;
-    box.add(extents.front());
-    for (size_t i = 1; i < extents.size(); ++i) {
-        const bool is_far_larger = extents[i].radius > kGroundFactor * box.extent().radius;
-        if (is_far_larger && extents.size() - i <= i) break;
-        box.add(extents[i]);
+    size_t smaller = 0;
+    for (const Group& group : groups) {
+        const bool is_far_larger =
+            smaller > 0 && group.radius > kGroundFactor * box.extent().radius;
+        if (is_far_larger && larger <= smaller) break;
+        box.add(group.box);
+        smaller += group.count;
+        larger -= group.count;
     }
     return box.extent();
 }
