@@ -3,7 +3,6 @@
 #pragma once
 
 #include "display/display_texture.h"
-#include "image_open.h"
 #include "jobs/autosave.h"
 #include "jobs/export_job.h"
 #include "jobs/jobs.h"
@@ -170,7 +169,6 @@ private:
 struct UiState {
     mutable LocalState local;
     Preferences preferences;
-    ImageOpen images;
     Previews* previews = nullptr;  // null where no pictures can be shown
     KeyMap keys;
     const char* last_action = "";  // the id of the action that ran last
