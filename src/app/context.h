@@ -4,7 +4,6 @@
 
 #include "display/display_texture.h"
 #include "display/viewport_layers.h"
-#include "image_open.h"
 #include "jobs/autosave.h"
 #include "jobs/export_job.h"
 #include "jobs/jobs.h"
@@ -171,7 +170,6 @@ private:
 struct UiState {
     mutable LocalState local;
     Preferences preferences;
-    ImageOpen images;
     Previews* previews = nullptr;  // null where no pictures can be shown
     KeyMap keys;
     const char* last_action = "";  // the id of the action that ran last

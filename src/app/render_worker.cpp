@@ -47,13 +47,20 @@ void RenderWorker::stop() {
 void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int height,
                              bool is_moving) {
     const std::lock_guard lock(mutex_);
-    if (posted_.scene == scene && posted_.width == width && posted_.height == height) return;
+    const bool same_size = posted_.width == width && posted_.height == height;
+    if (posted_.scene == scene && same_size) return;
+    const auto restarts_film = [&] {
+        return !posted_.scene || !same_size ||
+               changed_parts(*posted_.scene, *scene) != SceneParts::None;
+    };
+    // A long step at full resolution gives way to another film; a short one is let finish, so that
+    // pictures come.
+    if (Session* session = session_;
+        session && status_.step_ms > 100 && !status_.is_preview && restarts_film())
+        session->cancel();
     posted_ = {scene, width, height, is_moving, false};
     request_ = {std::move(scene), width, height, is_moving, request_.restart};
     has_request_ = true;
-    // A long step at full resolution gives way; a short one is let finish, so that pictures come.
-    if (Session* session = session_; session && status_.step_ms > 100 && !status_.is_preview)
-        session->cancel();
     wake_.notify_all();
 }
 

@@ -6,6 +6,7 @@
 #include "panels/panels.h"
 #include "window_test.h"
 
+#include <teapath/editor/scene_edits.h>
 #include <teapath/io/image_file.h>
 #include <teapath/io/scene_file.h>
 
@@ -160,6 +161,24 @@ TEST_CASE("dialogs: work of a killed program is offered; recovered, it is unsave
     CHECK(fs::is_empty(state_folder() / "autosave"));
     WindowTest next(small_scene(), 1280, 720, WindowTest::Folders::Kept);
     CHECK(next.app->ui.autosave.leftovers.empty());
+}
+
+TEST_CASE("dialogs: a texture's image is asked for like any other file") {
+    WindowTest t;
+    t.app->ui.preferences.native_dialogs = false;
+    const fs::path image = write_ppm("dots.ppm");
+    t.app->document.edit("Texture", "", [](Scene& s) { add_texture(s, TextureKind::Image); });
+    t.app->document.select(item_of(t.scene().textures[0].id));
+    t.run([&](ImGuiTestContext* ctx) {
+        ctx->Yield(2);
+        ctx->ItemClick("//Inspector/**/Open\xe2\x80\xa6");
+        ctx->Yield(2);
+        choose_in_browser(ctx, "Open an image", image);
+        CHECK(t.yield_until(ctx, [&] { return t.scene().textures[0].file.image != nullptr; }));
+    });
+    CHECK(t.scene().textures[0].file.path == "dots.ppm");  // beside the scene
+    t.app->document.undo();
+    CHECK(!t.scene().textures[0].file.image);
 }
 
 TEST_CASE("dialogs: dropped images become the background or the selection's colour") {

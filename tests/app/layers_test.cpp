@@ -131,13 +131,13 @@ TEST_CASE("layers: outlines are exactly where rays meet another object than besi
     box.transform.rotation = {10, 30, 0};
     box.transform.translation = {0.7, 0.3, 0.9};
     box.material = {2};
-    scene.objects.push_back(box);
+    scene.objects.edit().push_back(box);
     Object disk = box;
     disk.id = {6};
     disk.name = "disk";
     disk.shape = DiskShape{{-0.7, 1.4, 0.3}, {0.3, 0.2, 1}, 0.5};
     disk.transform = {};
-    scene.objects.push_back(disk);
+    scene.objects.edit().push_back(disk);
     WindowTest t(scene);
     settle(t);
     for (const Object& object : scene.objects)
@@ -228,7 +228,7 @@ TEST_CASE("layers: ten thousand selected objects cost a frame, not a second") {
         copy.id = {100 + i};
         copy.name = "ball " + std::to_string(i);
         copy.shape = SphereShape{{0.2 * (i % 100) - 10, 0.1, -0.2 * (i / 100)}, 0.08};
-        scene.objects.push_back(copy);
+        scene.objects.edit().push_back(copy);
     }
     WindowTest t(scene);
     PanelContext context = t.context();

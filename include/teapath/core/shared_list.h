@@ -3,6 +3,7 @@
 // be changed is asked for by `edit`. A copy may be read by another thread while this one changes.
 #pragma once
 
+#include <atomic>
 #include <initializer_list>
 #include <memory>
 #include <utility>
@@ -36,6 +37,7 @@ public:
     /// at before may be those of other copies from now on.
     std::vector<T>& edit() {
         if (items_.use_count() != 1) items_ = std::make_shared<std::vector<T>>(items());
+        std::atomic_thread_fence(std::memory_order_acquire);  // after who let go of it last
         return *items_;
     }
 

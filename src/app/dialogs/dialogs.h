@@ -29,6 +29,13 @@ void ask_to_quit(PanelContext& c);
 void draw_recent_files(PanelContext& c);
 void draw_unsaved_question(PanelContext& c);
 
+// Images for textures and the background (texture_files.cpp).
+/// Reads an image, and in a later frame does `then` with it, named as the scene is to name it.
+void read_image_then(PanelContext& c, const std::filesystem::path& file,
+                     std::function<void(PanelContext&, const ImageFile&)> then);
+/// Asks for an image for that texture, or for the background; `present` is the path it has now.
+void ask_for_image(PanelContext& c, SceneItem owner, const std::string& present);
+
 // Files dropped on the window (drop.cpp).
 /// A scene is opened, after the question; an image becomes the selected objects' colour or, over
 /// the viewport with nothing selected, the background; anything else is a notice.

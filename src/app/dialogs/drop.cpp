@@ -3,7 +3,6 @@
 #include "file_question.h"
 
 #include <teapath/editor/scene_edits.h>
-#include <teapath/io/image_file.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -18,15 +17,6 @@ bool is_over_viewport(const PanelContext& c) {
     const ImGuiWindow* window = ImGui::FindWindowByName("Viewport");
     return c.ui.preferences.is_panel_open("Viewport") && window && window->WasActive &&
            window->Rect().Contains(ImGui::GetMousePos());
-}
-
-// The path as the scene is to say it: from the scene's folder on, where it lies below that.
-std::string path_in_scene(const Scene& scene, const fs::path& file) {
-    const fs::path whole = fs::absolute(file).lexically_normal();
-    if (scene.origin.folder.empty()) return whole.generic_string();
-    const fs::path relative = whole.lexically_relative(scene.origin.folder);
-    return relative.empty() || *relative.begin() == ".." ? whole.generic_string()
-                                                         : relative.generic_string();
 }
 
 // The selected objects' materials, or the selected materials.
@@ -73,19 +63,13 @@ void drop_image(PanelContext& c, const fs::path& file) {
                 true);
         return;
     }
-    JobOptions options;
-    options.title = fmt::format("Reading {}", file.filename().string());
-    c.ui.jobs.start(std::move(options), [file, materials](JobControl&) -> JobFinish {
-        const auto image = std::make_shared<const Image>(read_image(file));
-        return [file, materials, image](PanelContext& p) {
-            const ImageFile in_scene{path_in_scene(p.document.scene(), file), image};
-            if (materials.empty())
-                set_background(p, in_scene);
-            else
-                set_textures(p, materials, in_scene);
-            p.toast(fmt::format("{} is now {}", file.filename().string(),
-                                materials.empty() ? "the background" : "the colour"));
-        };
+    read_image_then(c, file, [file, materials](PanelContext& p, const ImageFile& image) {
+        if (materials.empty())
+            set_background(p, image);
+        else
+            set_textures(p, materials, image);
+        p.toast(fmt::format("{} is now {}", file.filename().string(),
+                            materials.empty() ? "the background" : "the colour"));
     });
 }
 

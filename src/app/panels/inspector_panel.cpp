@@ -118,8 +118,6 @@ void draw_inspector(PanelContext& c) {
     }
     ImGui::End();
     end_merge_when_released(c);
-    if (const std::string problem = c.ui.images.update(c.document); !problem.empty())
-        c.toast(problem, true);
 }
 
 }  // namespace tp

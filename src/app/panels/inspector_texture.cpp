@@ -1,5 +1,5 @@
 // Inspector of textures, and the slots that hold them.
-#include "../image_open.h"
+#include "../dialogs/dialogs.h"
 #include "../preview/previews.h"
 #include "inspector.h"
 
@@ -178,11 +178,9 @@ void row_image(PanelContext& c, const char* name, const char* help, const ImageF
         ImGui::CalcTextSize("Open\xe2\x80\xa6").x + ImGui::GetStyle().FramePadding.x * 2;
     const float space = std::max(1.0f, ImGui::GetContentRegionAvail().x - button - ui::px(8));
     ImGui::AlignTextToFramePadding();
-    const bool is_loading = c.ui.images.is_busy(owner);
-    const std::string text = is_loading          ? "Loading\xe2\x80\xa6"
-                             : file.path.empty() ? "None"
-                             : file.image        ? file.path
-                                                 : file.path + " (missing)";
+    const std::string text = file.path.empty() ? "None"
+                             : file.image      ? file.path
+                                               : file.path + " (missing)";
     const float left = ImGui::GetCursorPosX();
     // The end of a path tells more than its beginning.
     const size_t slash = text.find_last_of('/');
@@ -191,9 +189,7 @@ void row_image(PanelContext& c, const char* name, const char* help, const ImageF
     ui::tooltip(text.c_str());
     ImGui::SameLine();
     ImGui::SetCursorPosX(left + space + ui::px(8));
-    ImGui::BeginDisabled(is_loading);
-    if (ImGui::Button("Open\xe2\x80\xa6")) c.ui.images.ask(owner, c.document.scene(), file.path);
-    ImGui::EndDisabled();
+    if (ImGui::Button("Open\xe2\x80\xa6")) ask_for_image(c, owner, file.path);
     ui::tooltip("PNG, JPEG, TGA, BMP, HDR, EXR; a file may also be dropped here");
 }
 
