@@ -8,7 +8,7 @@ namespace tp {
 /// What a ray can hit; the tag of the union Hittable.
 enum class HittableKind : uint8_t { Sphere, Ellipsoid, Rectangle, Box, Disk, Triangle };
 
-enum class MaterialKind : uint8_t { Lambertian, Metal, Dielectric, DiffuseLight };
+enum class MaterialKind : uint8_t { Lambertian, Metal, Dielectric, DiffuseLight, Principled };
 
 enum class TextureKind : uint8_t { Constant, Checker, Image };
 
@@ -24,6 +24,10 @@ enum class FresnelRule : uint8_t { Exact, Schlick };
 enum class CheckerMode : uint8_t { Uv, World };
 
 enum class WrapMode : uint8_t { Repeat, Clamp, Mirror };
+enum class WrapModeV : uint8_t { AsU, Repeat, Clamp, Mirror };
+
+/// What the alpha of a colour does: it is the opacity, is ignored, or is compared with a threshold.
+enum class AlphaMode : uint8_t { Blend, Opaque, Mask };
 enum class FilterMode : uint8_t { Nearest, Bilinear };
 
 /// What the numbers of an image mean. Auto: sRGB for 8 and 16 bit, linear for float.

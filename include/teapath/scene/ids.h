@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <string>
 
 namespace tp {
 
@@ -21,5 +22,14 @@ using MaterialId = Id<struct MaterialTag>;
 using TextureId = Id<struct TextureTag>;
 using CameraId = Id<struct CameraTag>;
 using GeneratorId = Id<struct GeneratorTag>;
+using ModelId = Id<struct ModelTag>;
+
+/// Where a thing comes from: a part of a model file, or (no model) the scene file itself.
+struct ModelPart {
+    ModelId model;
+    std::string path;  // "Car/Wheel.2": names of nodes, then the number of the primitive
+
+    friend bool operator==(const ModelPart&, const ModelPart&) = default;
+};
 
 }  // namespace tp

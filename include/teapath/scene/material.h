@@ -8,6 +8,43 @@
 
 namespace tp {
 
+/// The surface of glTF 2.0 (appendix B) with its extensions; Material::color is the base colour,
+/// Material::ior the index of refraction. Numbers without a unit are from 0 to 1.
+struct PrincipledSurface {
+    TexturedNumber metallic{0, {}, 2};
+    TexturedNumber roughness{0.5, {}, 1};  // alpha of GGX is its square
+    TexturedNumber specular{1, {}, 3};     // weight of the dielectric's reflection
+    TexturedColor specular_color{{1, 1, 1}, {}};
+    TexturedNumber anisotropy{0, {}, 2};
+    double anisotropy_rotation = 0;  // degrees from the tangent, counter-clockwise
+
+    TexturedNumber transmission{0, {}, 0};
+    bool thin = true;  // no inside: light goes straight on; else it is refracted and absorbed
+    Double3 attenuation_color{1, 1, 1};
+    double attenuation_distance = 0;  // scene units until white light has that colour; 0 = never
+    double dispersion = 0;            // 20 / Abbe number
+
+    TexturedNumber diffuse_transmission{0, {}, 3};
+    TexturedColor diffuse_transmission_color{{1, 1, 1}, {}};
+
+    TexturedNumber coat{0, {}, 0};
+    TexturedNumber coat_roughness{0, {}, 1};
+    TextureId coat_normal;
+    double coat_normal_scale = 1;
+    TexturedColor sheen_color{{0, 0, 0}, {}};
+    TexturedNumber sheen_roughness{0, {}, 3};
+    TexturedNumber iridescence{0, {}, 0};
+    double iridescence_ior = 1.3;
+    double iridescence_thickness_low = 100;  // nanometres where the texture's channel is 0
+    TexturedNumber iridescence_thickness{400, {}, 1};  // nanometres where it is 1 or absent
+
+    TextureId normal;  // tangent-space normal map
+    double normal_scale = 1;
+    bool compensation = true;  // of the energy that single scattering loses at high roughness
+
+    friend bool operator==(const PrincipledSurface&, const PrincipledSurface&) = default;
+};
+
 struct Material {
     MaterialId id;
     std::string name;  // empty: written inline where it is used
@@ -25,9 +62,14 @@ struct Material {
     double strength = 1;                    // multiplies emission
     EmissionSide side = EmissionSide::Auto;
 
-    double opacity = 1;  // of every kind: share of light that meets the material; the rest
-                         // goes straight on. Multiplied by the colour image's alpha
+    PrincipledSurface surface;
+
+    AlphaMode alpha = AlphaMode::Blend;
+    double alpha_cutoff = 0.5;  // Mask: what is below lets all light through
+    double opacity = 1;         // of every kind: share of light that meets the material; the rest
+                                // goes straight on. Multiplied by the colour image's alpha
     Double3 pass_through{1, 1, 1};  // colour of what goes straight on
+    ModelPart part;
 
     friend bool operator==(const Material&, const Material&) = default;
 };

@@ -3,6 +3,7 @@
 
 #include <teapath/core/math.h>
 #include <teapath/scene/ids.h>
+#include <teapath/scene/mesh.h>
 #include <teapath/scene/transform.h>
 
 #include <string>
@@ -66,8 +67,17 @@ struct TriangleShape {
     friend bool operator==(const TriangleShape&, const TriangleShape&) = default;
 };
 
+/// Triangles of a file. `placement` comes before the object's transform: what a model file does
+/// to the mesh and a Transform cannot say (shear).
+struct MeshShape {
+    MeshFile file;
+    bool smooth = true;  // shade by the mesh's normals, where it has any
+    DoubleMat4 placement{1};
+    friend bool operator==(const MeshShape&, const MeshShape&) = default;
+};
+
 using Shape = std::variant<SphereShape, XyRectShape, XzRectShape, YzRectShape, RectangleShape,
-                           BoxShape, DiskShape, TriangleShape>;
+                           BoxShape, DiskShape, TriangleShape, MeshShape>;
 
 struct Object {
     ObjectId id;
@@ -77,6 +87,7 @@ struct Object {
     MaterialId material;
     bool inside_out = false;  // turns the normal round
     bool visible = true;
+    ModelPart part;
 
     friend bool operator==(const Object&, const Object&) = default;
 };

@@ -19,6 +19,15 @@ struct TexturedColor {
     friend bool operator==(const TexturedColor&, const TexturedColor&) = default;
 };
 
+/// A number, multiplied by a channel of a texture where there is one.
+struct TexturedNumber {
+    double value = 0;
+    TextureId texture;
+    int channel = 0;  // 0 red, 1 green, 2 blue, 3 alpha
+
+    friend bool operator==(const TexturedNumber&, const TexturedNumber&) = default;
+};
+
 /// An image file and its pixels. Equal when the files are: pixels are loaded, not edited.
 struct ImageFile {
     std::string path;                    // as the scene file says it, relative to that file
@@ -47,7 +56,13 @@ struct Texture {
     WrapMode wrap = WrapMode::Repeat;
     FilterMode filter = FilterMode::Bilinear;
     ColorSpace color_space = ColorSpace::Auto;
-    Double2 repeat{1, 1};  // multiplies uv
+    WrapModeV wrap_v = WrapModeV::AsU;
+    int uv_set = 0;           // which texture coordinates of a mesh
+    Double2 repeat{1, 1};     // multiplies uv
+    double uv_rotation = 0;   // degrees, after `repeat`, as KHR_texture_transform turns
+    Double2 uv_offset{0, 0};  // added last
+    Double3 tint{1, 1, 1};    // multiplies the colour
+    ModelPart part;
 
     friend bool operator==(const Texture&, const Texture&) = default;
 };
