@@ -25,7 +25,8 @@ add_library(teapath_options INTERFACE)
 target_include_directories(teapath_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 target_compile_options(teapath_options INTERFACE
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
-                              -Wcast-align -Woverloaded-virtual -fno-math-errno -fno-trapping-math>
+                              -Wcast-align -Woverloaded-virtual -fno-math-errno -fno-trapping-math
+                              -ffp-contract=off>
     # On the device: flush denormals, approximate division and root (2 ulp), no warnings about GLM's
     # defaulted functions.
     $<$<COMPILE_LANGUAGE:CUDA>:--ftz=true --prec-div=false --prec-sqrt=false --expt-relaxed-constexpr

@@ -175,7 +175,7 @@ void check_rays(const Built& built, int rays, unsigned seed, bool on_grid = fals
             const bool met = b.index != kNoHit;
             hits += met;
             wrong_distance += a.t != b.t;
-            wrong_shadow += is_blocked<kFeatures>(tree, o, d, kInfinity, kNoHit) != met;
+            wrong_shadow += is_blocked<kFeatures>(tree, o, d, kInfinity, {}) != met;
             if (a.index == b.index) continue;
             Hit again;
             wrong_object += !met || a.index == kNoHit ||

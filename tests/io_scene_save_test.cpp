@@ -137,18 +137,18 @@ private:
         return m;
     }
     Object object(ObjectId id, const Scene& s) {
-        const Shape shapes[] = {SphereShape{vec3(), number()},
-                                XyRectShape{{-1, -2}, {3, 4}, number()},
-                                XzRectShape{},
-                                YzRectShape{},
-                                RectangleShape{vec3(), vec3(), vec3()},
-                                BoxShape{Double3(-1) - color(), color()},
-                                DiskShape{vec3(), {1, 2, 3}, 5},
-                                TriangleShape{vec3(), vec3(), vec3()}};
+        const std::vector<Shape> shapes = {SphereShape{vec3(), number()},
+                                           XyRectShape{{-1, -2}, {3, 4}, number()},
+                                           XzRectShape{},
+                                           YzRectShape{},
+                                           RectangleShape{vec3(), vec3(), vec3()},
+                                           BoxShape{Double3(-1) - color(), color()},
+                                           DiskShape{vec3(), {1, 2, 3}, 5},
+                                           TriangleShape{vec3(), vec3(), vec3()}};
         Object o;
         o.id = id;
         o.name = name();
-        o.shape = shapes[below(std::size(shapes))];
+        o.shape = shapes[below(shapes.size())];
         o.transform = {vec3(), vec3(), Double3(1) + color()};
         o.material = any_id(s.materials);
         o.inside_out = below(2);

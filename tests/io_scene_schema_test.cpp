@@ -75,6 +75,14 @@ public:
         CHECK(property(key).at("type") == "string");
         check_required(key);
     }
+    void mesh(const char* key, const MeshFile&) {
+        CHECK(property(key).at("type") == "string");
+        check_required(key);
+    }
+    void matrix(const char* key, const DoubleMat3&) {
+        CHECK(property(key).at("minItems") == 9);
+        CHECK(property(key).at("maxItems") == 9);
+    }
     void schema(const char* key, const std::string&) { property(key); }
     void constant(const char* key, const json& value) {
         CHECK(property(key).at("const") == value);

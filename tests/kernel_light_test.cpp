@@ -45,6 +45,15 @@ void check_shape(const Hittable& h, Vec3 from, const DirectionGrid& grid, int st
     CHECK(lost[0] < 0.001);
 }
 
+std::vector<LightRecord> lights_of(const std::vector<Hittable>& hittables,
+                                   const std::vector<MaterialRecord>& materials) {
+    SceneArrays arrays;
+    arrays.hittables = hittables;
+    arrays.materials = materials;
+    build_lights(arrays);
+    return arrays.lights;
+}
+
 }  // namespace
 
 TEST_CASE("light sampling: chi squared of every kind of shape, from outside") {
@@ -82,7 +91,7 @@ TEST_CASE("light choice: chi squared of the alias table, whatever the powers") {
             m.emission.color = Vec3(i == 3 ? Real(0) : i == 5 ? Real(1000) : Real(1));
             materials.push_back(m);
         }
-        const std::vector<LightRecord> lights = build_lights(hittables, materials);
+        const std::vector<LightRecord> lights = lights_of(hittables, materials);
         REQUIRE(lights.size() == static_cast<size_t>(count));
         constexpr uint32_t kDraws = 400000;
         std::vector<double> observed(lights.size()), expected;
@@ -108,7 +117,7 @@ TEST_CASE("light choice: the largest random number is the last light or its alia
     std::vector<MaterialRecord> materials(1);
     materials[0].emits = 1;
     materials[0].emission.color = Vec3(1);
-    const std::vector<LightRecord> lights = build_lights(hittables, materials);
+    const std::vector<LightRecord> lights = lights_of(hittables, materials);
     CHECK(pick_light(make_span(lights), 0) < 3);
     CHECK(pick_light(make_span(lights), 1 - kEpsilon / 2) < 3);
 }

@@ -28,8 +28,8 @@ struct Lookup {
         view.background = arrays.background;
     }
     Vec4 at(double u, double v) const {
-        return color_at(view, ColorRef{{0, 0, 0}, 0}, {static_cast<Real>(u), static_cast<Real>(v)},
-                        {0, 0, 0});
+        return color_at(view, ColorRef{{0, 0, 0}, 0},
+                        {{static_cast<Real>(u), static_cast<Real>(v)}, {0, 0}, {0, 0, 0}});
     }
 };
 
@@ -148,7 +148,7 @@ TEST_CASE("E17: checkers by texture coordinates and by world position, nested") 
         const bool even =
             std::sin(10 * double(p.x)) * std::sin(10 * double(p.y)) * std::sin(10 * double(p.z)) >=
             0;
-        CHECK(color_at(w.view, ColorRef{{0, 0, 0}, 0}, {0, 0}, p).x ==
+        CHECK(color_at(w.view, ColorRef{{0, 0, 0}, 0}, {{0, 0}, {0, 0}, p}).x ==
               doctest::Approx(even ? 0.9 : 0.2));
     }
 }

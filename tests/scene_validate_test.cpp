@@ -33,8 +33,9 @@ Scene good_scene() {
     paint.name = "paint";
     paint.color.texture = {1};
     scene.materials = {paint};
-    const Shape shapes[] = {SphereShape{},    XyRectShape{}, XzRectShape{}, YzRectShape{},
-                            RectangleShape{}, BoxShape{},    DiskShape{},   TriangleShape{}};
+    const std::vector<Shape> shapes = {SphereShape{}, XyRectShape{},    XzRectShape{},
+                                       YzRectShape{}, RectangleShape{}, BoxShape{},
+                                       DiskShape{},   TriangleShape{}};
     for (const Shape& shape : shapes) {
         Object object;
         object.id = {static_cast<uint32_t>(scene.objects.size()) + 1};

@@ -1,6 +1,7 @@
 #include <teapath/core/color.h>
 #include <teapath/device/cuda_scene.cuh>
 
+#include <algorithm>
 #include <array>
 
 namespace tp {
@@ -34,11 +35,36 @@ Span<const T> span_at(const std::byte* memory, size_t offset, const std::vector<
 
 }  // namespace
 
+size_t CudaScene::bytes() const {
+    size_t sum = memory_.allocated_bytes();
+    for (const CudaMesh& mesh : meshes_)
+        sum += mesh.bytes();
+    return sum;
+}
+
+void CudaScene::upload_meshes(const std::vector<MeshOfScene>& meshes, const Stream& stream) {
+    std::vector<CudaMesh> kept;
+    kept.reserve(meshes.size());
+    for (const MeshOfScene& mesh : meshes) {
+        const auto found = std::find_if(meshes_.begin(), meshes_.end(),
+                                        [&](const CudaMesh& m) { return m.holds(*mesh.arrays); });
+        if (found != meshes_.end())
+            kept.push_back(std::move(*found));
+        else
+            kept.emplace_back(mesh.arrays, stream);
+    }
+    meshes_ = std::move(kept);
+}
+
 void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream) {
     // Materials also renumber the lights, which hittables name.
     static const std::array<float, 256> srgb_table = make_srgb_table();
     const SceneParts either = SceneParts::Geometry | SceneParts::Materials;
-    const std::array<Source, 8> sources = {
+    upload_meshes(arrays.meshes, stream);
+    std::vector<MeshView> mesh_views;
+    for (const CudaMesh& mesh : meshes_)
+        mesh_views.push_back(mesh.view());
+    const std::array<Source, 10> sources = {
         source_of(arrays.hittables, either),
         source_of(arrays.nodes, SceneParts::Geometry),
         source_of(arrays.lights, either),
@@ -46,10 +72,12 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
         source_of(arrays.material_ids, SceneParts::Materials),
         source_of(arrays.textures, SceneParts::Materials),
         source_of(arrays.texels, SceneParts::Materials),
-        Source{srgb_table.data(), sizeof srgb_table, SceneParts::None}};
+        Source{srgb_table.data(), sizeof srgb_table, SceneParts::None},
+        source_of(mesh_views, SceneParts::Geometry),
+        source_of(arrays.instances, SceneParts::Geometry)};
 
     // Where each array goes; the allocation is made anew where the sizes have changed.
-    std::array<size_t, 8> offsets{};
+    std::array<size_t, 10> offsets{};
     std::vector<size_t> layout;
     size_t total = 0;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -79,6 +107,8 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
     view_.textures = span_at(memory, offsets[5], arrays.textures);
     view_.texels = reinterpret_cast<const unsigned char*>(memory + offsets[6]);
     view_.srgb_table = reinterpret_cast<const float*>(memory + offsets[7]);
+    view_.meshes = span_at(memory, offsets[8], mesh_views);
+    view_.instances = span_at(memory, offsets[9], arrays.instances);
     view_.background = arrays.background;
     view_.bounds = arrays.bounds;
     view_.brute_force = arrays.brute_force;

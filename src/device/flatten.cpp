@@ -1,5 +1,6 @@
 // From the document to the flat arrays, part by part.
 #include "flatten_materials.h"
+#include "flatten_meshes.h"
 #include "flatten_shapes.h"
 
 #include <teapath/core/parallel.h>
@@ -51,7 +52,9 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
             const Object& object = scene.objects[i];
             if (!object.visible) continue;
             shapes[i] = flatten_shape(object);
-            if (shapes[i] && !is_finite(bounds_of(*shapes[i]).extent())) shapes[i].reset();
+            if (shapes[i] && shapes[i]->kind != HittableKind::Mesh &&
+                !is_finite(bounds_of(*shapes[i]).extent()))
+                shapes[i].reset();
             if (!shapes[i]) continue;
             const auto found = material_index.find(object.material.value);
             shapes[i]->material = found == material_index.end() ? 0 : found->second;
@@ -60,8 +63,14 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
     });
     std::vector<Hittable> hittables;
     hittables.reserve(shapes.size());
-    for (const auto& shape : shapes)
-        if (shape) hittables.push_back(*shape);
+    MeshCollector meshes(arrays);
+    for (size_t i = 0; i < shapes.size(); ++i) {
+        if (!shapes[i]) continue;
+        if (shapes[i]->kind == HittableKind::Mesh && !meshes.place(scene.objects[i], *shapes[i]))
+            continue;
+        hittables.push_back(*shapes[i]);
+    }
+    meshes.finish();
 
     // The tree, and the hittables in the order of its leaves.
     std::vector<Bounds> boxes(hittables.size());
@@ -71,7 +80,8 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
     });
     BvhTree tree = build_bvh(boxes);
     arrays.hittables.resize(hittables.size());
-    arrays.features &= ~kFeatureShapes;
+    arrays.features &= ~(kFeatureShapes | kFeatureMeshes);
+    if (!arrays.instances.empty()) arrays.features |= kFeatureMeshes;
     for (size_t i = 0; i < hittables.size(); ++i) {
         arrays.hittables[i] = hittables[tree.order[i]];
         if (arrays.hittables[i].kind != HittableKind::Sphere) arrays.features |= kFeatureShapes;
@@ -120,8 +130,12 @@ size_t bytes_of(const std::vector<T>& v) {
 }  // namespace
 
 size_t SceneArrays::bytes() const {
-    return bytes_of(hittables) + bytes_of(nodes) + bytes_of(lights) + bytes_of(materials) +
-           bytes_of(material_ids) + bytes_of(textures) + bytes_of(texels);
+    size_t sum = bytes_of(hittables) + bytes_of(nodes) + bytes_of(instances) + bytes_of(lights) +
+                 bytes_of(materials) + bytes_of(material_ids) + bytes_of(textures) +
+                 bytes_of(texels);
+    for (const MeshOfScene& mesh : meshes)
+        sum += mesh.arrays->bytes();
+    return sum;
 }
 
 void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays) {
@@ -132,7 +146,7 @@ void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays) {
     if (has(parts, SceneParts::Materials)) flatten_materials(full, arrays);
     if (has(parts, SceneParts::Geometry)) flatten_geometry(full, arrays);
     if (has(parts, SceneParts::Materials) || has(parts, SceneParts::Geometry)) {
-        arrays.lights = build_lights(arrays.hittables, arrays.materials);
+        build_lights(arrays);
         arrays.features &= ~kFeatureLights;
         if (!arrays.lights.empty()) arrays.features |= kFeatureLights;
     }

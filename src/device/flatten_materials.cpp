@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <unordered_set>
 
 namespace tp {
 namespace {
@@ -82,15 +83,31 @@ private:
         const bool srgb =
             texture.color_space == ColorSpace::Srgb ||
             (texture.color_space == ColorSpace::Auto && image.format != PixelFormat::F32);
+        const double angle = texture.uv_rotation * kRadiansPerDegree;
+        const double cosine = std::cos(angle), sine = std::sin(angle);
         return {offset_of(image),
                 image.width,
                 image.height,
                 static_cast<int16_t>(image.channels),
                 static_cast<uint8_t>(bytes),
                 srgb,
+                static_cast<uint8_t>(texture.uv_set),
                 texture.wrap,
+                wrap_v_of(texture),
                 texture.filter,
-                Vec2(texture.repeat)};
+                Vec3(cosine * texture.repeat.x, sine * texture.repeat.y, texture.uv_offset.x),
+                Vec3(-sine * texture.repeat.x, cosine * texture.repeat.y, texture.uv_offset.y),
+                Vec3(texture.tint)};
+    }
+
+    static WrapMode wrap_v_of(const Texture& texture) {
+        switch (texture.wrap_v) {
+            case WrapModeV::Repeat: return WrapMode::Repeat;
+            case WrapModeV::Clamp: return WrapMode::Clamp;
+            case WrapModeV::Mirror: return WrapMode::Mirror;
+            case WrapModeV::AsU: break;
+        }
+        return texture.wrap;
     }
 
     uint64_t offset_of(const Image& image) {
@@ -124,6 +141,8 @@ MaterialRecord record_of(const Material& m, const TexturePacker& textures) {
     }
     if (m.kind == MaterialKind::Metal) record.fuzz = static_cast<Real>(m.fuzz);
     if (m.kind == MaterialKind::Dielectric) record.eta = static_cast<Real>(m.ior / m.exterior_ior);
+    record.alpha = m.alpha;
+    record.alpha_cutoff = static_cast<Real>(m.alpha_cutoff);
     record.opacity = static_cast<Real>(m.opacity);
     record.pass_through = Vec3(m.pass_through);
     return record;
@@ -141,6 +160,18 @@ BackgroundRecord record_of(const Background& b, int32_t texture) {
     return record;
 }
 
+// True if some mesh has vertices that let light through.
+bool has_vertex_alpha(const Scene& scene) {
+    std::unordered_set<const Mesh*> seen;
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+        const auto* shape = std::get_if<MeshShape>(&object.shape);
+        const Mesh* mesh = shape ? shape->file.mesh.get() : nullptr;
+        if (!mesh || !seen.insert(mesh).second) return false;
+        return std::any_of(mesh->colors.begin(), mesh->colors.end(),
+                           [](const Float4& c) { return c.w < 1; });
+    });
+}
+
 }  // namespace
 
 MaterialIndex index_materials(const Scene& scene) {
@@ -156,10 +187,13 @@ void flatten_materials(const Scene& scene, SceneArrays& arrays) {
     arrays.materials.assign(1, record_of(Material{}, textures));
     arrays.material_ids.assign(1, 0);
     arrays.features &= ~(kFeatureTextures | kFeatureOpacity);
+    const bool vertex_alpha = has_vertex_alpha(scene);
     for (const Material& m : scene.materials) {
         arrays.materials.push_back(record_of(m, textures));
         arrays.material_ids.push_back(m.id.value);
-        if (m.opacity < 1 || textures.has_alpha(m.color)) arrays.features |= kFeatureOpacity;
+        const bool looks_at_alpha = m.alpha != AlphaMode::Opaque;
+        if (m.opacity < 1 || (looks_at_alpha && (vertex_alpha || textures.has_alpha(m.color))))
+            arrays.features |= kFeatureOpacity;
     }
     arrays.background = record_of(scene.background, textures.pack_background(scene.background));
     if (!scene.textures.empty() || scene.background.kind == BackgroundKind::Image)

@@ -109,6 +109,15 @@ struct Flattener {
         return make_flat<Disk>(HittableKind::Disk, place, d.center, u, glm::cross(n, u), false);
     }
 
+    // Its place in the arrays is given later, by flatten_meshes.
+    std::optional<Hittable> operator()(const MeshShape& m) const {
+        if (!m.file.mesh || m.file.mesh->triangles.empty()) return std::nullopt;
+        Hittable h;
+        h.kind = HittableKind::Mesh;
+        h.mesh = {};
+        return h;
+    }
+
     std::optional<Hittable> operator()(const TriangleShape& t) const {
         return make_flat<Triangle>(HittableKind::Triangle, place, t.a, t.b - t.a, t.c - t.a, false);
     }

@@ -1,5 +1,6 @@
 #include <teapath/core/color.h>
 #include <teapath/device/light_build.h>
+#include <teapath/kernel/mesh/mesh_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +8,31 @@
 namespace tp {
 namespace {
 
-// Power up to a common factor; textures count as white.
-double power_of(const Hittable& h, const MaterialRecord& m) {
+// Power for each unit of area, up to a common factor; textures count as white.
+double power_of_area(const MaterialRecord& m) {
     const double radiance = m.emission.texture >= 0
                                 ? static_cast<double>(m.strength)
                                 : static_cast<double>(luminance(m.emission.color));
-    const double sides = m.side == EmissionSide::Both ? 2 : 1;
-    return std::max(0.0, radiance) * sides * static_cast<double>(area_of(h));
+    return std::max(0.0, radiance) * (m.side == EmissionSide::Both ? 2 : 1);
+}
+
+// The emitters, and the power of each.
+struct Emitters {
+    std::vector<LightRecord> lights;
+    std::vector<double> power;
+
+    void add(size_t hittable, size_t primitive, double emitter_power) {
+        lights.push_back(
+            {static_cast<uint32_t>(hittable), static_cast<uint32_t>(primitive), 0, 1, 0});
+        power.push_back(emitter_power);
+    }
+};
+
+void add_mesh(const SceneArrays& arrays, size_t hittable, double power, Emitters& emitters) {
+    const InstanceRecord& instance = arrays.instances[arrays.hittables[hittable].mesh.instance];
+    const std::vector<MeshTriangle>& triangles = arrays.meshes[instance.mesh].arrays->triangles;
+    for (size_t t = 0; t < triangles.size(); ++t)
+        emitters.add(hittable, t, power * static_cast<double>(area_of(instance, triangles[t])));
 }
 
 // Vose's construction: every column is filled up by one other.
@@ -46,19 +65,21 @@ void fill_alias_table(std::vector<LightRecord>& lights, const std::vector<double
 
 }  // namespace
 
-std::vector<LightRecord> build_lights(std::vector<Hittable>& hittables,
-                                      const std::vector<MaterialRecord>& materials) {
-    std::vector<LightRecord> lights;
-    std::vector<double> power;
-    for (size_t i = 0; i < hittables.size(); ++i) {
-        Hittable& h = hittables[i];
+void build_lights(SceneArrays& arrays) {
+    Emitters emitters;
+    for (size_t i = 0; i < arrays.hittables.size(); ++i) {
+        Hittable& h = arrays.hittables[i];
         h.light = kNoLight;
-        const MaterialRecord& m = materials[h.material];
+        const MaterialRecord& m = arrays.materials[h.material];
         if (!m.emits) continue;
-        h.light = static_cast<uint32_t>(lights.size());
-        lights.push_back({static_cast<uint32_t>(i), 0, 1, 0});
-        power.push_back(power_of(h, m));
+        h.light = static_cast<uint32_t>(emitters.lights.size());
+        if (h.kind == HittableKind::Mesh)
+            add_mesh(arrays, i, power_of_area(m), emitters);
+        else
+            emitters.add(i, 0, power_of_area(m) * static_cast<double>(area_of(h)));
     }
+    std::vector<LightRecord>& lights = emitters.lights;
+    std::vector<double>& power = emitters.power;
     double total = 0;
     for (const double p : power)
         total += p;
@@ -68,7 +89,7 @@ std::vector<LightRecord> build_lights(std::vector<Hittable>& hittables,
         lights[i].probability = static_cast<Real>(power[i]);
     }
     fill_alias_table(lights, power);
-    return lights;
+    arrays.lights = std::move(lights);
 }
 
 }  // namespace tp

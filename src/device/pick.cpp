@@ -1,6 +1,8 @@
 #include <teapath/device/pick.h>
 #include <teapath/kernel/path_steps.h>
 
+#include <utility>
+
 namespace tp {
 
 PickResult pick(const SceneArrays& arrays, const Double3& origin, const Double3& direction,
@@ -9,6 +11,11 @@ PickResult pick(const SceneArrays& arrays, const Double3& origin, const Double3&
     view.hittables = make_span(arrays.hittables);
     view.nodes = make_span(arrays.nodes);
     view.bounds = arrays.bounds;
+    std::vector<MeshView> meshes;
+    for (const MeshOfScene& mesh : arrays.meshes)
+        meshes.push_back(mesh.arrays->view());
+    view.meshes = make_span(std::as_const(meshes));
+    view.instances = make_span(arrays.instances);
     PathState path;
     path.origin = Vec3(origin);
     path.direction = Vec3(direction);

@@ -40,6 +40,15 @@ struct BoxOf {
     LocalBox operator()(const TriangleShape& t) const {
         return {glm::min(t.a, glm::min(t.b, t.c)), glm::max(t.a, glm::max(t.b, t.c))};
     }
+    LocalBox operator()(const MeshShape& m) const {
+        if (!m.file.mesh) return {Double3(-0.5), Double3(0.5)};
+        const Double3 low = m.file.mesh->low, high = m.file.mesh->high;
+        const Double3 center = m.placement * ((low + high) * 0.5);
+        Double3 half(0);
+        for (int axis = 0; axis < 3; ++axis)
+            half += glm::abs(m.placement[axis]) * ((high - low)[axis] * 0.5);
+        return {center - half, center + half};
+    }
 };
 
 }  // namespace
@@ -53,7 +62,8 @@ const std::vector<ShapeKind>& shape_kinds() {
         {"Rectangle", RectangleShape{}},
         {"Box", BoxShape{}},
         {"Disk", DiskShape{{0, 0, 0}, {0, 1, 0}, 0.5}},
-        {"Triangle", TriangleShape{{-0.5, -0.4, 0}, {0.5, -0.4, 0}, {0, 0.6, 0}}}};
+        {"Triangle", TriangleShape{{-0.5, -0.4, 0}, {0.5, -0.4, 0}, {0, 0.6, 0}}},
+        {"Mesh", MeshShape{}}};
     return kinds;
 }
 

@@ -121,6 +121,13 @@ void shape_fields(V& v, TriangleShape& t) {
 }
 
 template <class V>
+void shape_fields(V& v, MeshShape& m) {
+    v.mesh("file", m.file);
+    v("smooth", m.smooth);
+    v.matrix("placement", m.placement);
+}
+
+template <class V>
 void transform_fields(V& v, Transform& t) {
     v("translate", t.translation);
     v("rotate", t.rotation);

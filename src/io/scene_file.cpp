@@ -7,11 +7,13 @@
 #include <teapath/core/error.h>
 #include <teapath/core/log.h>
 #include <teapath/io/image_file.h>
+#include <teapath/io/mesh_file.h>
 #include <teapath/io/scene_file.h>
 #include <teapath/scene/validate.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 namespace tp {
@@ -27,6 +29,26 @@ void for_each_image(SceneType& scene, F&& f) {
     for (auto& texture : elements(scene.textures))
         if (texture.kind == TextureKind::Image) f(texture.file);
     if (scene.background.kind == BackgroundKind::Image) f(scene.background.file);
+}
+
+// Calls `f` with every mesh file that an object shows.
+template <class SceneType, class F>
+void for_each_mesh(SceneType& scene, F&& f) {
+    const auto is_mesh = [](const Object& o) { return std::holds_alternative<MeshShape>(o.shape); };
+    // Most scenes have none: their objects stay shared.
+    if (std::none_of(scene.objects.begin(), scene.objects.end(), is_mesh)) return;
+    for (auto& object : elements(scene.objects))
+        if (is_mesh(object)) f(std::get<MeshShape>(object.shape).file);
+}
+
+std::shared_ptr<const Mesh> load_mesh(const Scene& scene, const std::string& path,
+                                      const std::string& name) {
+    try {
+        return share(read_mesh(fs::path(scene.origin.folder) / path));
+    } catch (const Error& error) {
+        log_warning("{}: {}; not shown", name, error.what());
+        return nullptr;
+    }
 }
 
 std::shared_ptr<const Image> load_image(const Scene& scene, const std::string& path,
@@ -58,6 +80,7 @@ Scene moved_to(Scene scene, const fs::path& folder) {
     if (from.empty() || from == folder) return scene;
     scene.origin.schema = rebased(scene.origin.schema, from, folder);
     for_each_image(scene, [&](ImageFile& file) { file.path = rebased(file.path, from, folder); });
+    for_each_mesh(scene, [&](MeshFile& file) { file.path = rebased(file.path, from, folder); });
     return scene;
 }
 
@@ -111,11 +134,22 @@ void load_images(Scene& scene, const std::string& name, const Scene* known) {
     });
 }
 
+void load_meshes(Scene& scene, const std::string& name, const Scene* known) {
+    std::map<std::string, std::shared_ptr<const Mesh>> loaded;
+    if (known) for_each_mesh(*known, [&](const MeshFile& file) { loaded[file.path] = file.mesh; });
+    for_each_mesh(scene, [&](MeshFile& file) {
+        const auto [entry, is_new] = loaded.try_emplace(file.path);
+        if (is_new) entry->second = load_mesh(scene, file.path, name);
+        file.mesh = entry->second;
+    });
+}
+
 Scene parse_scene(std::string_view text, const fs::path& folder, const std::string& name) {
     Scene scene = scene_of_json(parse_json(text, name), name);
     scene.origin.folder = folder_of(folder / "scene").string();
     check_problems(scene, name);
     load_images(scene, name);
+    load_meshes(scene, name);
     return scene;
 }
 

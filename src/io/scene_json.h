@@ -25,4 +25,7 @@ void check_problems(const Scene& scene, const std::string& name, bool warn = tru
 /// warning that starts with `name`, and stays null.
 void load_images(Scene& scene, const std::string& name, const Scene* known = nullptr);
 
+/// The same for meshes; what is missing is not shown.
+void load_meshes(Scene& scene, const std::string& name, const Scene* known = nullptr);
+
 }  // namespace tp

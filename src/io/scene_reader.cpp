@@ -240,6 +240,26 @@ void SceneReader::image(const char* key, ImageFile& value) {
     value.path = string_of(*json, path_of(key));
 }
 
+void SceneReader::mesh(const char* key, MeshFile& value) {
+    const Json* json = find(key);
+    if (!json)
+        fail(path_, fmt::format("the key \"{}\" is missing", key),
+             "the path of a mesh (.ply, .stl, .obj), relative to the scene file");
+    value.path = string_of(*json, path_of(key));
+}
+
+void SceneReader::matrix(const char* key, DoubleMat3& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    expect_array(*json, path_of(key));
+    if (json->size() != 9)
+        fail(path_of(key), fmt::format("expected 9 numbers, found {}", json->size()),
+             "the columns of a matrix, one after the other");
+    for (int i = 0; i < 9; ++i)
+        value[i / 3][i % 3] =
+            number_of((*json)[static_cast<size_t>(i)], fmt::format("{}[{}]", path_of(key), i));
+}
+
 void SceneReader::schema(const char* key, std::string& value) {
     schema_key_ = key;
     if (const auto found = json_.find(key); found != json_.end())

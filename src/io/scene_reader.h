@@ -46,6 +46,10 @@ public:
     void color(const char* key, Double3& value);
     /// The path of an image; it may be empty, where none has been chosen yet.
     void image(const char* key, ImageFile& value);
+    /// The path of a mesh.
+    void mesh(const char* key, MeshFile& value);
+    /// Nine numbers, column by column; absent where it is the identity.
+    void matrix(const char* key, DoubleMat3& value);
     /// A key that editors write, and that messages do not offer.
     void schema(const char* key, std::string& value);
     void kind(const char* key, TextureKind& value) { required_kind(key, value); }

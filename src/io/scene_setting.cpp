@@ -190,6 +190,7 @@ Scene with_setting(const Scene& scene, std::string_view path, std::string_view v
         }
         check_problems(changed, name, false);
         load_images(changed, name, &scene);
+        load_meshes(changed, name, &scene);
         return changed;
     } catch (const Error& error) {
         // The place need not be said twice.

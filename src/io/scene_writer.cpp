@@ -107,6 +107,14 @@ void SceneWriter::operator()(const char* key, MaterialId value) {
     json_[key] = difference(material, [](auto& v, Material& m) { material_fields(v, m); });
 }
 
+void SceneWriter::matrix(const char* key, const DoubleMat3& value) {
+    if (value == DoubleMat3(1)) return;
+    Json numbers = Json::array();
+    for (int i = 0; i < 9; ++i)
+        numbers.push_back(number(value[i / 3][i % 3]));
+    json_[key] = std::move(numbers);
+}
+
 void SceneWriter::shape(const char* key, Shape& value) {
     SceneWriter inner(state_);
     inner.constant("type", kShapeTypes[value.index()]);

@@ -50,6 +50,11 @@ public:
         SceneView& scene = params_.scene;
         scene.hittables = make_span(std::as_const(arrays_.hittables));
         scene.nodes = make_span(std::as_const(arrays_.nodes));
+        meshes_.clear();
+        for (const MeshOfScene& mesh : arrays_.meshes)
+            meshes_.push_back(mesh.arrays->view());
+        scene.meshes = make_span(std::as_const(meshes_));
+        scene.instances = make_span(std::as_const(arrays_.instances));
         scene.lights = make_span(std::as_const(arrays_.lights));
         scene.materials = make_span(std::as_const(arrays_.materials));
         scene.material_ids = make_span(std::as_const(arrays_.material_ids));
@@ -196,6 +201,7 @@ private:
 
     ThreadPool pool_;
     SceneArrays arrays_;
+    std::vector<MeshView> meshes_;
     LaunchParams params_;
     FilmSetup setup_;
     std::vector<Total> totals_;

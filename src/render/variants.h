@@ -8,6 +8,7 @@ namespace tp {
 
 inline constexpr uint32_t kVariantSpheres = 0;  // constant colours, no lights but the background
 inline constexpr uint32_t kVariantLit = kFeatureShapes | kFeatureLights;
+inline constexpr uint32_t kVariantNoMeshes = kFeatureAll & ~uint32_t{kFeatureMeshes};
 inline constexpr uint32_t kVariantGeneral = kFeatureAll;
 
 /// Calls f.operator()<kFeatures>() for the smallest variant that has all `needed` features.
@@ -15,6 +16,7 @@ template <class F>
 decltype(auto) with_variant(uint32_t needed, F&& f) {
     if ((needed & ~kVariantSpheres) == 0) return f.template operator()<kVariantSpheres>();
     if ((needed & ~kVariantLit) == 0) return f.template operator()<kVariantLit>();
+    if ((needed & ~kVariantNoMeshes) == 0) return f.template operator()<kVariantNoMeshes>();
     return f.template operator()<kVariantGeneral>();
 }
 

@@ -38,6 +38,15 @@ size_t bytes_of(const Mesh& mesh) {
     return sum;
 }
 
+std::shared_ptr<const Mesh> share(Mesh mesh) {
+    if (!mesh.positions.empty()) mesh.low = mesh.high = mesh.positions.front();
+    for (const Float3& p : mesh.positions) {
+        mesh.low = glm::min(mesh.low, p);
+        mesh.high = glm::max(mesh.high, p);
+    }
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
 std::string problem_of(const Mesh& mesh) {
     const size_t vertices = mesh.positions.size();
     for (size_t t = 0; t < mesh.triangles.size(); ++t)

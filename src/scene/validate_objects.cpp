@@ -53,6 +53,19 @@ public:
             area(t.b - t.a, t.c - t.a, "the triangle has no area");
     }
 
+    void operator()(const MeshShape& m) {
+        for (int column = 0; column < 3; ++column)
+            problems_.finite(where_ / "placement", m.placement[column]);
+        if (!m.file.mesh) return;
+        const Mesh& mesh = *m.file.mesh;
+        const Double3 far = glm::max(glm::abs(Double3(mesh.low)), glm::abs(Double3(mesh.high)));
+        for (int axis = 0; axis < 3; ++axis)
+            reach_ += glm::length(m.placement[axis]) * far[axis];
+        if (glm::determinant(m.placement) == 0)
+            problems_.fatal(where_ / "placement", "the placement leaves no volume",
+                            "leave it out: it is what a model file does to the mesh");
+    }
+
 private:
     bool finite(const char* key, double value) {
         reach_ += std::abs(value);

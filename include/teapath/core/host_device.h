@@ -60,6 +60,22 @@ TP_HD float maximum(float a, float b) {
 #endif
 }
 
+/// a * b, rounded by itself: never fused with a sum that follows.
+TP_HD float multiply_exactly_rounded(float a, float b) {
+#if defined(__CUDA_ARCH__)
+    return __fmul_rn(a, b);
+#else
+    return a * b;  // the host is compiled with -ffp-contract=off
+#endif
+}
+TP_HD double multiply_exactly_rounded(double a, double b) {
+#if defined(__CUDA_ARCH__)
+    return __dmul_rn(a, b);
+#else
+    return a * b;
+#endif
+}
+
 /// 1 / sqrt(x) for x > 0; on the device the hardware's approximation (2 ulp).
 TP_HD float rsqrt(float x) {
 #if defined(__CUDA_ARCH__)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <teapath/core/bounds.h>
-#include <teapath/device/scene_arrays.h>
-#include <teapath/kernel/records.h>
+#include <teapath/device/bvh_stats.h>
+#include <teapath/kernel/bvh_node.h>
 
 #include <cstdint>
 #include <vector>

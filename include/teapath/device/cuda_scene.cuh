@@ -1,7 +1,9 @@
 // The scene's flat arrays in one packed device allocation: sizes summed, parts aligned, one copy.
+// Meshes have their own, so that a change of the scene copies no mesh that is there.
 #pragma once
 
 #include <teapath/device/cuda_buffer.cuh>
+#include <teapath/device/cuda_mesh.cuh>
 #include <teapath/device/cuda_stream.cuh>
 #include <teapath/device/scene_arrays.h>
 #include <teapath/kernel/scene_view.h>
@@ -16,10 +18,13 @@ public:
     void upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream);
 
     const SceneView& view() const { return view_; }
-    size_t bytes() const { return memory_.allocated_bytes(); }
+    size_t bytes() const;
 
 private:
+    void upload_meshes(const std::vector<MeshOfScene>& meshes, const Stream& stream);
+
     SceneView view_;
+    std::vector<CudaMesh> meshes_;
     DeviceBuffer<std::byte> memory_;
     std::vector<size_t> layout_;  // bytes of each part, of what memory_ holds
 };

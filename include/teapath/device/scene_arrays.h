@@ -1,6 +1,8 @@
 // The scene as the kernels read it: flat arrays, derived from the document and never edited.
 #pragma once
 
+#include <teapath/device/bvh_stats.h>
+#include <teapath/device/mesh_arrays.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/records.h>
 #include <teapath/scene/scene.h>
@@ -13,7 +15,7 @@ namespace tp {
 /// Parts of the arrays, as bits, for partial rebuilds and uploads.
 enum class SceneParts : uint32_t {
     None = 0,
-    Geometry = 1,    // hittables and nodes
+    Geometry = 1,    // hittables, nodes, meshes that are new
     Materials = 2,   // material and texture records, texels, background
     Parameters = 4,  // camera and settings
     All = 7          // lights follow from geometry and materials
@@ -25,16 +27,17 @@ constexpr bool has(SceneParts parts, SceneParts part) {
     return (static_cast<uint32_t>(parts) & static_cast<uint32_t>(part)) != 0;
 }
 
-struct BvhStats {
-    double sah_cost = 0;  // expected steps of a random ray through the root box
-    int depth = 0;        // levels of nodes; the traversal stack never holds more entries
-    int leaf_count = 0;
-    double build_seconds = 0;
+/// A mesh of the scene and what was made of it.
+struct MeshOfScene {
+    std::weak_ptr<const Mesh> source;
+    std::shared_ptr<const MeshArrays> arrays;
 };
 
 struct SceneArrays {
-    std::vector<Hittable> hittables;  // in the order of the tree's leaves
-    std::vector<BvhNode> nodes;       // node 0 is the root; empty for an empty scene
+    std::vector<Hittable> hittables;        // in the order of the tree's leaves
+    std::vector<BvhNode> nodes;             // node 0 is the root; empty for an empty scene
+    std::vector<MeshOfScene> meshes;        // each once, however many instances it has
+    std::vector<InstanceRecord> instances;  // in the order of the objects
     std::vector<LightRecord> lights;
     std::vector<MaterialRecord> materials;
     std::vector<uint32_t> material_ids;  // MaterialId::value of each record

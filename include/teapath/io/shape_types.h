@@ -9,8 +9,8 @@
 
 namespace tp {
 
-inline constexpr std::array<const char*, 8> kShapeTypes = {
-    "sphere", "xy_rect", "xz_rect", "yz_rect", "rectangle", "box", "disk", "triangle"};
+inline constexpr std::array<const char*, 9> kShapeTypes = {
+    "sphere", "xy_rect", "xz_rect", "yz_rect", "rectangle", "box", "disk", "triangle", "mesh"};
 static_assert(kShapeTypes.size() == std::variant_size_v<Shape>);
 
 /// Sets `shape` to a fresh one of that type; false for an unknown name.

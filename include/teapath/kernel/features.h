@@ -28,9 +28,7 @@ TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint
     const MaterialRecord& material = params.scene.materials[hittable.material];
     const Surface s =
         make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
-    const ColorRef& ref =
-        material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
-    add_albedo(sum, Vec3(material_color<kFeatures>(params.scene, ref, s)));
+    add_albedo(sum, albedo_of<kFeatures>(params.scene, material, s));
     sum.normal += s.normal;
     sum.depth += dot(s.point.position - params.camera.origin, params.camera.forward);
     sum.hits += 1;

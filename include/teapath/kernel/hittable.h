@@ -4,6 +4,7 @@
 
 #include <teapath/core/host_device.h>
 #include <teapath/kernel/kinds.h>
+#include <teapath/kernel/mesh/mesh_view.h>
 #include <teapath/kernel/shapes/box.h>
 #include <teapath/kernel/shapes/ellipsoid.h>
 #include <teapath/kernel/shapes/flat.h>
@@ -19,13 +20,14 @@ struct alignas(16) Hittable {
         Box box;
         Disk disk;
         Triangle triangle;
+        MeshInstance mesh;
     };
     HittableKind kind;
     uint8_t inside_out;  // 1: the normal is turned round
     uint16_t unused;
     uint32_t material;  // index of the MaterialRecord
     uint32_t object;    // ObjectId::value
-    uint32_t light;     // index of the LightRecord, kNoLight = none
+    uint32_t light;     // index of the LightRecord, of a mesh's first triangle; kNoLight = none
 
     TP_HD_MEMBER Hittable()
         : sphere{},
@@ -46,21 +48,25 @@ TP_HD bool is_turned_inwards(const Hittable& h) {
 inline constexpr uint32_t kNoLight = 0xffffffff;
 static_assert(sizeof(Real) == 8 || sizeof(Hittable) == 64, "48 bytes of shape, 16 of tags");
 
-/// Calls `f` with the shape in the union: the one switch over kinds.
+/// Calls `f` with the shape in the union: the one switch over kinds. A mesh is no such shape: it
+/// is answered for from its pool, in mesh/.
 template <class F>
 TP_HD auto with_shape(const Hittable& h, F&& f) {
+    TP_ASSERT(h.kind != HittableKind::Mesh);
     switch (h.kind) {
         case HittableKind::Ellipsoid: return f(h.ellipsoid);
         case HittableKind::Rectangle: return f(h.rectangle);
         case HittableKind::Box: return f(h.box);
         case HittableKind::Disk: return f(h.disk);
         case HittableKind::Triangle: return f(h.triangle);
+        case HittableKind::Mesh:
         case HittableKind::Sphere: break;
     }
     return f(h.sphere);
 }
 
 TP_HD Bounds bounds_of(const Hittable& h) {
+    if (h.kind == HittableKind::Mesh) return h.mesh.bounds;
     return with_shape(h, [](const auto& shape) { return bounds_of(shape); });
 }
 

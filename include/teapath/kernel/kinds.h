@@ -6,7 +6,7 @@
 namespace tp {
 
 /// What a ray can hit; the tag of the union Hittable.
-enum class HittableKind : uint8_t { Sphere, Ellipsoid, Rectangle, Box, Disk, Triangle };
+enum class HittableKind : uint8_t { Sphere, Ellipsoid, Rectangle, Box, Disk, Triangle, Mesh };
 
 enum class MaterialKind : uint8_t { Lambertian, Metal, Dielectric, DiffuseLight, Principled };
 

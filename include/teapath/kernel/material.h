@@ -2,23 +2,57 @@
 #pragma once
 
 #include <teapath/kernel/bsdf/bsdf.h>
+#include <teapath/kernel/mesh/mesh_surface.h>
 #include <teapath/kernel/texture.h>
 
 namespace tp {
 
 /// A surface point as a ray found it.
 struct Surface {
-    SurfacePoint point;  // normal on the hittable's own side
-    Vec3 normal;         // unit, on the side that the ray came from
-    bool front = true;   // the ray came from the normal's side
-    Vec2 uv{0, 0};       // of textures; zero in kernels without them
-    uint32_t hittable = 0;
+    SurfacePoint point;      // normal on the hittable's own side
+    Vec3 normal;             // unit, for shading, on the side that the ray came from
+    bool front = true;       // the ray came from the geometric normal's side
+    Vec2 uv{0, 0};           // of textures, set 0; zero in kernels without them
+    Vec2 uv1{0, 0};          // set 1 of a mesh
+    Vec4 color{1, 1, 1, 1};  // of a mesh's vertices; multiplies the material's
 };
+
+/// Fills what a mesh knows of its surface at triangle `primitive`, at the weights in s.point.uv.
+template <uint32_t kFeatures>
+TP_HD void add_mesh_attributes(const MeshView& mesh, const MeshTriangle& triangle, Surface& s) {
+    if constexpr ((kFeatures & kFeatureTextures) != 0) {
+        s.uv = mesh_uv(mesh, triangle, s.point.uv, 0);
+        s.uv1 = mesh_uv(mesh, triangle, s.point.uv, 1);
+    }
+    if (mesh.attributes.colors)
+        s.color = interpolate(mesh.attributes.colors, triangle, barycentric_at(s.point.uv));
+}
+
+/// The surface where the ray met a mesh.
+template <uint32_t kFeatures>
+TP_HD Surface make_mesh_surface(const SceneView& scene, const Hittable& h, Vec3 direction,
+                                const Hit& hit) {
+    const InstanceRecord& instance = scene.instances[h.mesh.instance];
+    const MeshView& mesh = scene.meshes[instance.mesh];
+    const MeshTriangle& triangle = mesh.triangles[hit.primitive];
+    Surface s;
+    s.point = mesh_point(instance, triangle, barycentric_at({hit.u, hit.v}));
+    const Vec3 shading = shading_normal_at(mesh, instance, triangle, s.point);
+    if (h.inside_out) s.point.normal = -s.point.normal;
+    s.front = dot(direction, s.point.normal) < 0;
+    s.normal = dot(direction, shading) < 0 ? shading : -shading;
+    add_mesh_attributes<kFeatures>(mesh, triangle, s);
+    return s;
+}
 
 /// The surface where the ray met hittable `hit.index`.
 template <uint32_t kFeatures>
 TP_HD Surface make_surface(const SceneView& scene, const Hittable& h, Vec3 origin, Vec3 direction,
                            const Hit& hit) {
+    if constexpr ((kFeatures & kFeatureMeshes) != 0) {
+        if (h.kind == HittableKind::Mesh)
+            return make_mesh_surface<kFeatures>(scene, h, direction, hit);
+    }
     Surface s;
     if constexpr ((kFeatures & kFeatureShapes) != 0) {
         s.point = surface_at(h, origin, direction, hit);
@@ -28,7 +62,6 @@ TP_HD Surface make_surface(const SceneView& scene, const Hittable& h, Vec3 origi
     }
     s.front = dot(direction, s.point.normal) < 0;
     s.normal = s.front ? s.point.normal : -s.point.normal;
-    s.hittable = hit.index;
     if constexpr ((kFeatures & kFeatureTextures) != 0) {
         if (!scene.textures.empty()) s.uv = texture_uv(h, s.point);
     }
@@ -38,9 +71,35 @@ TP_HD Surface make_surface(const SceneView& scene, const Hittable& h, Vec3 origi
 template <uint32_t kFeatures>
 TP_HD Vec4 material_color(const SceneView& scene, const ColorRef& ref, const Surface& s) {
     if constexpr ((kFeatures & kFeatureTextures) != 0)
-        return color_at(scene, ref, s.uv, s.point.position);
+        return color_at(scene, ref, {s.uv, s.uv1, s.point.position});
     else
         return Vec4(ref.color, 1);
+}
+
+/// The material's colour and alpha at `s`, with the colours of a mesh's vertices.
+template <uint32_t kFeatures>
+TP_HD Vec4 surface_color(const SceneView& scene, const MaterialRecord& m, const Surface& s) {
+    const Vec4 color = material_color<kFeatures>(scene, m.color, s);
+    if constexpr ((kFeatures & kFeatureMeshes) != 0)
+        return color * s.color;
+    else
+        return color;
+}
+
+/// What the feature planes and the Flat integrator show of a surface.
+template <uint32_t kFeatures>
+TP_HD Vec3 albedo_of(const SceneView& scene, const MaterialRecord& m, const Surface& s) {
+    if (m.kind == MaterialKind::DiffuseLight)
+        return Vec3(material_color<kFeatures>(scene, m.emission, s));
+    return Vec3(surface_color<kFeatures>(scene, m, s));
+}
+
+/// The share of light that meets the material where its colour has this alpha.
+TP_HD Real opacity_of(const MaterialRecord& m, Real alpha) {
+    if (m.alpha == AlphaMode::Opaque) return m.opacity;
+    const Real opacity = m.opacity * alpha;
+    if (m.alpha == AlphaMode::Mask) return opacity < m.alpha_cutoff ? 0 : 1;
+    return opacity;
 }
 
 /// True if the material emits towards a ray that met the side of the normal (`front`) or the other;

@@ -1,7 +1,7 @@
 // The state of one path between steps, and what a step asks of the scene.
 #pragma once
 
-#include <teapath/core/math.h>
+#include <teapath/kernel/traverse.h>
 
 namespace tp {
 
@@ -22,7 +22,7 @@ struct ShadowQuery {
     Vec3 origin{0, 0, 0};
     Vec3 direction{0, 0, 1};  // unit
     Real distance = 0;        // to the light's point
-    uint32_t light = 0;       // the light's hittable, which cannot shadow itself
+    Ignored light;            // which cannot shadow itself
     Vec3 contribution{0, 0, 0};
     bool is_active = false;
 };

@@ -68,6 +68,23 @@ TP_HD void leave_surface(PathState& path, const Surface& s, Vec3 direction) {
     ++path.vertex;
 }
 
+/// What is read at a sampled point of a light: its place and texture coordinates.
+template <uint32_t kFeatures>
+TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& light,
+                                 const Hittable& emitter, const SurfacePoint& point) {
+    Surface s;
+    s.point = point;
+    if constexpr ((kFeatures & kFeatureMeshes) != 0) {
+        if (emitter.kind == HittableKind::Mesh) {
+            const MeshView& mesh = scene.meshes[scene.instances[emitter.mesh.instance].mesh];
+            add_mesh_attributes<kFeatures>(mesh, mesh.triangles[light.primitive], s);
+            return s;
+        }
+    }
+    if constexpr ((kFeatures & kFeatureTextures) != 0) s.uv = texture_uv(emitter, point);
+    return s;
+}
+
 /// The direct light at `s`: a point of a light, weighed against sampling the bsdf.
 template <uint32_t kFeatures>
 TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, const PathState& path,
@@ -79,8 +96,9 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
         params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
     const Hittable& emitter = params.scene.hittables[light.hittable];
     const MaterialRecord& material = params.scene.materials[emitter.material];
-    const ShapeSample sample = sample_toward(
-        emitter, s.point.position, sample_2d<kSobol>(sampler, dimension + kDimensionLight));
+    const ShapeSample sample =
+        sample_emitter<kFeatures>(params.scene, light, s.point.position,
+                                  sample_2d<kSobol>(sampler, dimension + kDimensionLight));
     const Real pdf = sample.pdf * light.probability;
     const bool front = dot(sample.direction, sample.point.normal) < 0;
     if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
@@ -90,21 +108,19 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
     if (is_black(f)) return;
 
     // What comes from there.
-    Surface at_light;
-    at_light.point = sample.point;
-    if constexpr ((kFeatures & kFeatureTextures) != 0)
-        at_light.uv = texture_uv(emitter, sample.point);
+    const Surface at_light =
+        surface_of_emitter<kFeatures>(params.scene, light, emitter, sample.point);
     Vec3 radiance = emitted_radiance<kFeatures>(params.scene, material, at_light);
     if constexpr ((kFeatures & kFeatureOpacity) != 0)
         radiance *=
-            material.opacity * material_color<kFeatures>(params.scene, material.color, at_light).w;
+            opacity_of(material, surface_color<kFeatures>(params.scene, material, at_light).w);
 
     const Real weight = mis_weight(pdf, bsdf_pdf(bsdf, wo, sample.direction));
     shadow.origin =
         offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
     shadow.direction = sample.direction;
     shadow.distance = sample.distance;
-    shadow.light = light.hittable;
+    shadow.light = {light.hittable, light.primitive};
     shadow.contribution = path.throughput * f * radiance * (weight / pdf);
     shadow.is_active = true;
 }
@@ -115,9 +131,7 @@ TP_HD Vec3 first_hit_color(const LaunchParams& params, const Surface& s,
                            const MaterialRecord& material) {
     if (params.settings.integrator == IntegratorKind::Normal)
         return (s.normal + Vec3(1, 1, 1)) * Real(0.5);
-    const ColorRef& ref =
-        material.kind == MaterialKind::DiffuseLight ? material.emission : material.color;
-    return Vec3(material_color<kFeatures>(params.scene, ref, s));
+    return albedo_of<kFeatures>(params.scene, material, s);
 }
 
 /// Step 3: gathers what the path has met and chooses where it goes. Returns false where it ends;
@@ -138,11 +152,11 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     const MaterialRecord& material = scene.materials[hittable.material];
     const Surface s = make_surface<kFeatures>(scene, hittable, path.origin, path.direction, hit);
     const uint32_t dimension = vertex_dimension(path.vertex);
-    const Vec4 color = material_color<kFeatures>(scene, material.color, s);
+    const Vec4 color = surface_color<kFeatures>(scene, material, s);
 
     // Straight through, which is no scattering.
     if constexpr ((kFeatures & kFeatureOpacity) != 0) {
-        const Real opacity = material.opacity * color.w;
+        const Real opacity = opacity_of(material, color.w);
         if (opacity < 1 && sample_1d<kSobol>(sampler, dimension + kDimensionOpacity) >= opacity) {
             path.throughput *= material.pass_through;
             const Real left = path.t_max - hit.t;
@@ -164,8 +178,9 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
         if (emits_towards(material, is_turned_inwards(hittable), s.front)) {
             Real weight = 1;
             if (path.bsdf_pdf > 0 && settings.light_sampling)
-                weight = mis_weight(path.bsdf_pdf, light_pdf(scene, hittable, path.origin,
-                                                             path.direction, s.point, hit.t));
+                weight = mis_weight(path.bsdf_pdf,
+                                    light_pdf<kFeatures>(scene, hittable, hit, path.origin,
+                                                         path.direction, s.point));
             path.radiance +=
                 path.throughput * emitted_radiance<kFeatures>(scene, material, s) * weight;
         }
@@ -231,7 +246,7 @@ TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) 
             const Surface s =
                 make_surface<kFeatures>(scene, hittable, origin, shadow.direction, hit);
             const Real opacity =
-                material.opacity * material_color<kFeatures>(scene, material.color, s).w;
+                opacity_of(material, surface_color<kFeatures>(scene, material, s).w);
             share *= material.pass_through * (1 - min(opacity, Real(1)));
             if (is_black(share)) break;
             origin = offset_ray_origin(s.point.position, s.point.error, s.point.normal,

@@ -3,15 +3,11 @@
 
 #include <teapath/core/bounds.h>
 #include <teapath/core/span.h>
+#include <teapath/kernel/bvh_node.h>
 #include <teapath/kernel/hittable.h>
 #include <teapath/kernel/kinds.h>
 
 namespace tp {
-
-/// Four numbers that are loaded at once.
-struct alignas(16) Real4 {
-    Real x, y, z, w;
-};
 
 /// A constant colour, or the texture that stands in its place.
 struct ColorRef {
@@ -31,6 +27,8 @@ struct MaterialRecord {
         Real fuzz;  // Metal
         Real eta;   // Dielectric: index behind the normal over the index before it
     };
+    AlphaMode alpha = AlphaMode::Blend;
+    Real alpha_cutoff = Real(0.5);
     Real opacity = 1;
     Vec3 pass_through{1, 1, 1};
 
@@ -50,9 +48,11 @@ struct ImageRecord {
     int16_t channels;
     uint8_t bytes_per_channel;  // 1, 2 or 4 (float)
     bool is_srgb;
-    WrapMode wrap;
+    uint8_t uv_set;  // 0 or 1
+    WrapMode wrap_u, wrap_v;
     FilterMode filter;
-    Vec2 repeat;
+    Vec3 u, v;  // (u, v, 1) of the surface times these are u and v of the image
+    Vec3 tint;
 };
 
 struct TextureRecord {
@@ -65,9 +65,10 @@ struct TextureRecord {
     TP_HD_MEMBER TextureRecord() : kind(TextureKind::Constant), constant(0, 0, 0) {}
 };
 
-/// An emitting hittable, in an alias table (Walker 1977; Vose 1991) by power.
+/// An emitting hittable, or a triangle of one, in an alias table (Walker 1977; Vose 1991) by power.
 struct LightRecord {
     uint32_t hittable;
+    uint32_t primitive;    // of a mesh, else 0
     Real probability;      // that this light is picked
     Real alias_threshold;  // of the table's column: below it this light, else `alias`
     uint32_t alias;
@@ -94,22 +95,6 @@ struct CameraRecord {
     Real far_clip = kInfinity;
 };
 
-/// Two children of the tree with their boxes, 64 bytes: per axis low and high of child 0, low and
-/// high of child 1. A child is a node's index, or a leaf: bit 31, first hittable, count - 1.
-struct alignas(16) BvhNode {
-    Real4 x, y, z;
-    uint32_t child[2];
-    uint32_t unused[2];
-};
-inline constexpr uint32_t kLeafBit = 0x80000000u;
-inline constexpr uint32_t kLeafCountBits = 3;
-inline constexpr uint32_t kMaxLeafSize = 1u << kLeafCountBits;
-inline constexpr uint32_t kMaxHittables = 1u << (31 - kLeafCountBits);
-
-/// Entries of the traversal stack. A builder makes no tree with more levels of nodes than this;
-/// a level pushes at most one entry.
-inline constexpr int kMaxTreeDepth = 32;
-
 /// What a scene contains, as bits: a kernel is compiled for some sets of them.
 enum SceneFeature : uint32_t {
     kFeatureShapes = 1,    // hittables that are not spheres
@@ -118,7 +103,8 @@ enum SceneFeature : uint32_t {
     kFeatureOpacity = 8,   // materials that let light straight through
     kFeatureSobol = 16,    // the Sobol sampler
     kFeatureDebug = 32,    // integrators other than Path and Book; brute force
-    kFeatureAll = 63
+    kFeatureMeshes = 64,   // hittables that are meshes
+    kFeatureAll = 127
 };
 
 }  // namespace tp

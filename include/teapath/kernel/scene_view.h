@@ -8,6 +8,8 @@ namespace tp {
 struct SceneView {
     Span<const Hittable> hittables;
     Span<const BvhNode> nodes;
+    Span<const MeshView> meshes;
+    Span<const InstanceRecord> instances;
     Span<const LightRecord> lights;
     Span<const MaterialRecord> materials;
     Span<const uint32_t> material_ids;

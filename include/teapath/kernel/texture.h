@@ -47,23 +47,31 @@ TP_HD Vec4 load_texel(const SceneView& scene, const ImageRecord& image, int x, i
     return Vec4(value[0], value[1], value[2], value[3]);
 }
 
-/// An image at (u, v): texel centres at (i + 0.5) / size, v = 0 at the top row.
+/// Where a texture is read: texture coordinates of set 0 and 1, and the place in the world.
+struct TexturePoint {
+    Vec2 uv;
+    Vec2 uv1;
+    Vec3 position;
+};
+
+/// An image at (u, v) of the surface: texel centres at (i + 0.5) / size, v = 0 at the top row.
 TP_HD Vec4 sample_image(const SceneView& scene, const ImageRecord& image, Vec2 uv) {
-    const Real x = uv.x * image.repeat.x * static_cast<Real>(image.width);
-    const Real y = uv.y * image.repeat.y * static_cast<Real>(image.height);
+    const Vec3 at{uv.x, uv.y, 1};
+    const Real x = dot(at, image.u) * static_cast<Real>(image.width);
+    const Real y = dot(at, image.v) * static_cast<Real>(image.height);
     const Real limit = Real(1e9);  // far-off coordinates stay inside int
     if (image.filter == FilterMode::Nearest) {
         const int ix = static_cast<int>(std::floor(clamp(x, -limit, limit)));
         const int iy = static_cast<int>(std::floor(clamp(y, -limit, limit)));
-        return load_texel(scene, image, wrap_texel(ix, image.width, image.wrap),
-                          wrap_texel(iy, image.height, image.wrap));
+        return load_texel(scene, image, wrap_texel(ix, image.width, image.wrap_u),
+                          wrap_texel(iy, image.height, image.wrap_v));
     }
     const Real cx = clamp(x - Real(0.5), -limit, limit), cy = clamp(y - Real(0.5), -limit, limit);
     const Real fx = std::floor(cx), fy = std::floor(cy);
-    const int x0 = wrap_texel(static_cast<int>(fx), image.width, image.wrap);
-    const int x1 = wrap_texel(static_cast<int>(fx) + 1, image.width, image.wrap);
-    const int y0 = wrap_texel(static_cast<int>(fy), image.height, image.wrap);
-    const int y1 = wrap_texel(static_cast<int>(fy) + 1, image.height, image.wrap);
+    const int x0 = wrap_texel(static_cast<int>(fx), image.width, image.wrap_u);
+    const int x1 = wrap_texel(static_cast<int>(fx) + 1, image.width, image.wrap_u);
+    const int y0 = wrap_texel(static_cast<int>(fy), image.height, image.wrap_v);
+    const int y1 = wrap_texel(static_cast<int>(fy) + 1, image.height, image.wrap_v);
     const Real wx = cx - fx, wy = cy - fy;
     const Vec4 top = lerp(load_texel(scene, image, x0, y0), load_texel(scene, image, x1, y0), wx);
     const Vec4 bottom =
@@ -81,14 +89,19 @@ TP_HD bool is_even_cell(const CheckerRecord& checker, Vec2 uv, Vec3 p) {
     return cell - 2 * std::floor(cell / 2) == 0;
 }
 
-/// The colour and alpha of `ref` at texture coordinates `uv` and world position `p`. Checkers are
-/// walked down to a constant or an image; the reader refuses cycles.
-TP_HD Vec4 color_at(const SceneView& scene, ColorRef ref, Vec2 uv, Vec3 p) {
+/// The colour and alpha of a texture. Checkers are walked down to a constant or an image; the
+/// reader refuses cycles.
+TP_HD Vec4 color_at(const SceneView& scene, ColorRef ref, const TexturePoint& at) {
     while (ref.texture >= 0) {
         const TextureRecord& texture = scene.textures[static_cast<uint32_t>(ref.texture)];
-        if (texture.kind == TextureKind::Image) return sample_image(scene, texture.image, uv);
+        if (texture.kind == TextureKind::Image) {
+            const ImageRecord& image = texture.image;
+            return sample_image(scene, image, image.uv_set == 0 ? at.uv : at.uv1) *
+                   Vec4(image.tint, 1);
+        }
         if (texture.kind == TextureKind::Constant) return Vec4(texture.constant, 1);
-        ref = is_even_cell(texture.checker, uv, p) ? texture.checker.even : texture.checker.odd;
+        ref = is_even_cell(texture.checker, at.uv, at.position) ? texture.checker.even
+                                                                : texture.checker.odd;
     }
     return Vec4(ref.color, 1);
 }

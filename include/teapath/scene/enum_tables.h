@@ -13,7 +13,8 @@ struct EnumTable<MaterialKind> {
         EnumRow<E>{E::Lambertian, "lambertian", "Lambertian"},
         EnumRow<E>{E::Metal, "metal", "Metal"},
         EnumRow<E>{E::Dielectric, "dielectric", "Dielectric"},
-        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"}};
+        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"},
+        EnumRow<E>{E::Principled, "principled", "Principled"}};
 };
 
 template <>
@@ -52,6 +53,22 @@ struct EnumTable<WrapMode> {
     static constexpr std::array rows = {EnumRow<E>{E::Repeat, "repeat", "Repeat"},
                                         EnumRow<E>{E::Clamp, "clamp", "Clamp"},
                                         EnumRow<E>{E::Mirror, "mirror", "Mirror"}};
+};
+
+template <>
+struct EnumTable<WrapModeV> {
+    using E = WrapModeV;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::AsU, "as_u", "As in u"}, EnumRow<E>{E::Repeat, "repeat", "Repeat"},
+        EnumRow<E>{E::Clamp, "clamp", "Clamp"}, EnumRow<E>{E::Mirror, "mirror", "Mirror"}};
+};
+
+template <>
+struct EnumTable<AlphaMode> {
+    using E = AlphaMode;
+    static constexpr std::array rows = {EnumRow<E>{E::Blend, "blend", "Opacity"},
+                                        EnumRow<E>{E::Opaque, "opaque", "Ignored"},
+                                        EnumRow<E>{E::Mask, "mask", "Cut-out"}};
 };
 
 template <>

@@ -25,6 +25,7 @@ struct Mesh {
     std::vector<Float4> tangents;                    // unit, w = 1 or -1: bitangent = w * n x t
     std::vector<std::vector<Float2>> uvs;            // sets of texture coordinates, v = 0 on top
     std::vector<Float4> colors;                      // linear, with alpha; multiply the material's
+    Float3 low{0, 0, 0}, high{0, 0, 0};              // box of the positions; share() fills it in
 
     friend bool operator==(const Mesh&, const Mesh&) = default;
 };
@@ -35,6 +36,9 @@ size_t bytes_of(const Mesh& mesh);
 /// What makes the mesh unfit, in words ("index 12 of triangle 3 is beyond the 8 vertices"); empty
 /// if nothing does.
 std::string problem_of(const Mesh& mesh);
+
+/// The mesh as scenes hold it, with its box.
+std::shared_ptr<const Mesh> share(Mesh mesh);
 
 /// A mesh and where it came from: a file, relative to the scene's, with the part of it after `#`
 /// where it holds several. Equal when the paths are: meshes are loaded, not edited.

@@ -72,7 +72,7 @@ struct TriangleShape {
 struct MeshShape {
     MeshFile file;
     bool smooth = true;  // shade by the mesh's normals, where it has any
-    DoubleMat4 placement{1};
+    DoubleMat3 placement{1};
     friend bool operator==(const MeshShape&, const MeshShape&) = default;
 };
 

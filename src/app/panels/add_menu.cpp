@@ -80,10 +80,12 @@ void add_new_texture(PanelContext& c, TextureKind kind) {
 }  // namespace
 
 void add_object_items(PanelContext& c) {
-    for (const ShapeKind& kind : shape_kinds())
+    for (const ShapeKind& kind : shape_kinds()) {
+        if (std::holds_alternative<MeshShape>(kind.shape)) continue;  // a file brings it
         if (ImGui::MenuItem(
                 fmt::format("{}  {}###{}", icon_of(kind.shape), kind.label, kind.label).c_str()))
             add_shape(c, kind, nullptr);
+    }
     ImGui::Separator();
     if (ImGui::MenuItem(ICON_FA_TABLE_CELLS "  Sphere grid###Sphere grid")) {
         GeneratorId made;

@@ -1,6 +1,8 @@
 // Rows of the shapes of objects.
 #include "inspector.h"
 
+#include <fmt/format.h>
+
 namespace tp {
 namespace {
 
@@ -86,6 +88,18 @@ struct ShapeRows {
         rows.number(point("B", "Second corner, counter-clockwise from the front"),
                     member(&TriangleShape::b));
         rows.number(point("C", "Third corner"), member(&TriangleShape::c));
+    }
+    void operator()(const MeshShape& m) const {
+        ui::row_text("File", m.file.path, "Where the triangles come from");
+        if (const Mesh* mesh = m.file.mesh.get())
+            ui::row_text(
+                "Triangles",
+                fmt::format("{}, {} vertices", mesh->triangles.size(), mesh->positions.size()),
+                "Of the mesh; copies of it share them");
+        else
+            ui::row_text("Triangles", "the file is missing", "Nothing of it can be shown");
+        rows.toggle("Smooth", "Shade by the mesh's normals, where it has any",
+                    member(&MeshShape::smooth));
     }
 };
 

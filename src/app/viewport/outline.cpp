@@ -67,6 +67,14 @@ struct MakePart {
     OutlinePart operator()(const TriangleShape& t) const {
         return {OutlineForm::Triangle, spanned(t.a, t.b - t.a, t.c - t.a)};
     }
+    OutlinePart operator()(const MeshShape& m) const {
+        if (!m.file.mesh) return {OutlineForm::Box, placed({.5, 0, 0}, {0, .5, 0}, {0, 0, .5}, {})};
+        const Double3 low = m.file.mesh->low, high = m.file.mesh->high;
+        const Double3 half = (high - low) * 0.5;
+        return {OutlineForm::Box,
+                DoubleMat4(m.placement) *
+                    placed({half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}, (low + high) * 0.5)};
+    }
 };
 
 }  // namespace

@@ -24,6 +24,7 @@ TP_HD bool is_specular(const Bsdf& b) {
     switch (b.kind) {
         case MaterialKind::Metal: return b.fuzz <= 0;
         case MaterialKind::Dielectric: return true;
+        case MaterialKind::Principled:
         case MaterialKind::Lambertian:
         case MaterialKind::DiffuseLight: break;
     }
@@ -33,6 +34,7 @@ TP_HD bool is_specular(const Bsdf& b) {
 /// True if bsdf_sample reads its third number; it is 0 otherwise, which saves making it.
 TP_HD bool samples_with_third_number(const Bsdf& b) {
     switch (b.kind) {
+        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return b.scatter == ScatterRule::CosineCubed;
         case MaterialKind::Metal: return b.fuzz > 0;
         case MaterialKind::Dielectric:
@@ -44,6 +46,7 @@ TP_HD bool samples_with_third_number(const Bsdf& b) {
 /// f(wo, wi) |cos(wi)|, without delta lobes.
 TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
     switch (b.kind) {
+        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return lambertian_eval(b.color, b.normal, wi);
         case MaterialKind::Metal: return metal_eval(b.color, b.fuzz, b.normal, wo, wi);
         case MaterialKind::Dielectric:
@@ -55,6 +58,7 @@ TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
 /// Density of bsdf_sample over solid angle, without delta lobes.
 TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
     switch (b.kind) {
+        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return lambertian_pdf(b.normal, wi);
         case MaterialKind::Metal: return metal_pdf(b.fuzz, b.normal, wo, wi);
         case MaterialKind::Dielectric:
@@ -66,6 +70,7 @@ TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
 /// A direction with density bsdf_pdf, or of a delta lobe; `u` and `u3` are uniform in [0, 1).
 TP_HD BsdfSample bsdf_sample(const Bsdf& b, Vec3 wo, Vec2 u, Real u3) {
     switch (b.kind) {
+        case MaterialKind::Principled:
         case MaterialKind::Lambertian:
             return lambertian_sample_by_rule(b.scatter, b.color, b.normal, u, u3);
         case MaterialKind::Metal: return metal_sample(b.color, b.fuzz, b.normal, wo, u, u3);
