@@ -1,4 +1,5 @@
 #include <teapath/core/color.h>
+#include <teapath/device/albedo_arrays.h>
 #include <teapath/device/cuda_scene.cuh>
 
 #include <algorithm>
@@ -59,12 +60,14 @@ void CudaScene::upload_meshes(const std::vector<MeshOfScene>& meshes, const Stre
 void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream) {
     // Materials also renumber the lights, which hittables name.
     static const std::array<float, 256> srgb_table = make_srgb_table();
+    static const AlbedoArrays no_tables;
+    const AlbedoArrays& albedo = arrays.principled.empty() ? no_tables : albedo_arrays();
     const SceneParts either = SceneParts::Geometry | SceneParts::Materials;
     upload_meshes(arrays.meshes, stream);
     std::vector<MeshView> mesh_views;
     for (const CudaMesh& mesh : meshes_)
         mesh_views.push_back(mesh.view());
-    const std::array<Source, 10> sources = {
+    const std::array<Source, 15> sources = {
         source_of(arrays.hittables, either),
         source_of(arrays.nodes, SceneParts::Geometry),
         source_of(arrays.lights, either),
@@ -74,10 +77,15 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
         source_of(arrays.texels, SceneParts::Materials),
         Source{srgb_table.data(), sizeof srgb_table, SceneParts::None},
         source_of(mesh_views, SceneParts::Geometry),
-        source_of(arrays.instances, SceneParts::Geometry)};
+        source_of(arrays.instances, SceneParts::Geometry),
+        source_of(arrays.principled, SceneParts::Materials),
+        source_of(albedo.ggx, SceneParts::None),
+        source_of(albedo.ggx_average, SceneParts::None),
+        source_of(albedo.sheen, SceneParts::None),
+        source_of(albedo.glass, SceneParts::None)};
 
     // Where each array goes; the allocation is made anew where the sizes have changed.
-    std::array<size_t, 10> offsets{};
+    std::array<size_t, 15> offsets{};
     std::vector<size_t> layout;
     size_t total = 0;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -109,6 +117,11 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
     view_.srgb_table = reinterpret_cast<const float*>(memory + offsets[7]);
     view_.meshes = span_at(memory, offsets[8], mesh_views);
     view_.instances = span_at(memory, offsets[9], arrays.instances);
+    view_.principled = span_at(memory, offsets[10], arrays.principled);
+    view_.albedo_tables = {span_at(memory, offsets[11], albedo.ggx).data,
+                           span_at(memory, offsets[12], albedo.ggx_average).data,
+                           span_at(memory, offsets[13], albedo.sheen).data,
+                           span_at(memory, offsets[14], albedo.glass).data};
     view_.background = arrays.background;
     view_.bounds = arrays.bounds;
     view_.brute_force = arrays.brute_force;

@@ -26,10 +26,16 @@ public:
     }
 
     ColorRef color_ref(const TexturedColor& c, double scale = 1) const {
-        ColorRef ref{Vec3(c.color * scale), -1};
-        const auto found = index_.find(c.texture.value);
-        if (c.texture && found != index_.end()) ref.texture = found->second;
-        return ref;
+        return {Vec3(c.color * scale), index_of(c.texture)};
+    }
+
+    int32_t index_of(TextureId id) const {
+        const auto found = index_.find(id.value);
+        return id && found != index_.end() ? found->second : -1;
+    }
+
+    NumberRef number_ref(const TexturedNumber& n) const {
+        return {static_cast<Real>(n.value), index_of(n.texture), n.channel};
     }
 
     // A record for the background's image, or -1 if it is missing.
@@ -148,6 +154,35 @@ MaterialRecord record_of(const Material& m, const TexturePacker& textures) {
     return record;
 }
 
+PrincipledRecord principled_record(const Material& m, const TexturePacker& textures) {
+    const PrincipledSurface& s = m.surface;
+    PrincipledRecord r;
+    r.metallic = textures.number_ref(s.metallic);
+    r.roughness = textures.number_ref(s.roughness);
+    r.specular = textures.number_ref(s.specular);
+    r.specular_color = textures.color_ref(s.specular_color);
+    r.anisotropy = textures.number_ref(s.anisotropy);
+    const double turn = s.anisotropy_rotation * kRadiansPerDegree;
+    r.anisotropy_cosine = static_cast<Real>(std::cos(turn));
+    r.anisotropy_sine = static_cast<Real>(std::sin(turn));
+    r.ior = static_cast<Real>(std::max(m.ior, 1.001));  // 1 would have no interface to refract at
+    r.transmission = textures.number_ref(s.transmission);
+    r.thin = s.thin;
+    r.diffuse_transmission = textures.number_ref(s.diffuse_transmission);
+    r.diffuse_transmission_color = textures.color_ref(s.diffuse_transmission_color);
+    for (int c = 0; c < 3 && s.attenuation_distance > 0; ++c)
+        r.absorption[c] = static_cast<Real>(-std::log(std::max(s.attenuation_color[c], 1e-6)) /
+                                            s.attenuation_distance);
+    r.coat = textures.number_ref(s.coat);
+    r.coat_roughness = textures.number_ref(s.coat_roughness);
+    r.sheen_color = textures.color_ref(s.sheen_color);
+    r.sheen_roughness = textures.number_ref(s.sheen_roughness);
+    r.normal = textures.index_of(s.normal);
+    r.normal_scale = static_cast<Real>(s.normal_scale);
+    r.compensation = s.compensation;
+    return r;
+}
+
 BackgroundRecord record_of(const Background& b, int32_t texture) {
     BackgroundRecord record;
     record.kind = b.kind;
@@ -186,15 +221,21 @@ void flatten_materials(const Scene& scene, SceneArrays& arrays) {
     textures.pack_textures();
     arrays.materials.assign(1, record_of(Material{}, textures));
     arrays.material_ids.assign(1, 0);
-    arrays.features &= ~(kFeatureTextures | kFeatureOpacity);
+    arrays.principled.clear();
+    arrays.features &= ~(kFeatureTextures | kFeatureOpacity | kFeaturePrincipled);
     const bool vertex_alpha = has_vertex_alpha(scene);
     for (const Material& m : scene.materials) {
         arrays.materials.push_back(record_of(m, textures));
+        if (m.kind == MaterialKind::Principled) {
+            arrays.materials.back().principled = static_cast<uint32_t>(arrays.principled.size());
+            arrays.principled.push_back(principled_record(m, textures));
+        }
         arrays.material_ids.push_back(m.id.value);
         const bool looks_at_alpha = m.alpha != AlphaMode::Opaque;
         if (m.opacity < 1 || (looks_at_alpha && (vertex_alpha || textures.has_alpha(m.color))))
             arrays.features |= kFeatureOpacity;
     }
+    if (!arrays.principled.empty()) arrays.features |= kFeaturePrincipled;
     arrays.background = record_of(scene.background, textures.pack_background(scene.background));
     if (!scene.textures.empty() || scene.background.kind == BackgroundKind::Image)
         arrays.features |= kFeatureTextures;

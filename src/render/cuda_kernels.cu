@@ -188,7 +188,7 @@ std::vector<KernelReport> kernel_reports() {
     };
     add.operator()<kVariantSpheres>("spheres, constant colours");
     add.operator()<kVariantLit>("all shapes and lights, constant colours");
-    add.operator()<kVariantNoMeshes>("all but meshes");
+    add.operator()<kVariantBooks>("no meshes, no principled surfaces");
     add.operator()<kVariantGeneral>("general");
     return reports;
 }

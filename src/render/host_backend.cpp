@@ -3,6 +3,7 @@
 #include "variants.h"
 
 #include <teapath/core/parallel.h>
+#include <teapath/device/albedo_arrays.h>
 #include <teapath/kernel/features.h>
 #include <teapath/kernel/post.h>
 #include <teapath/kernel/trace_pixel.h>
@@ -58,6 +59,8 @@ public:
         scene.lights = make_span(std::as_const(arrays_.lights));
         scene.materials = make_span(std::as_const(arrays_.materials));
         scene.material_ids = make_span(std::as_const(arrays_.material_ids));
+        scene.principled = make_span(std::as_const(arrays_.principled));
+        if (!arrays_.principled.empty()) scene.albedo_tables = albedo_arrays().view();
         scene.textures = make_span(std::as_const(arrays_.textures));
         scene.texels = reinterpret_cast<const unsigned char*>(arrays_.texels.data());
         scene.srgb_table = srgb_table().data();

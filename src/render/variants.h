@@ -8,7 +8,8 @@ namespace tp {
 
 inline constexpr uint32_t kVariantSpheres = 0;  // constant colours, no lights but the background
 inline constexpr uint32_t kVariantLit = kFeatureShapes | kFeatureLights;
-inline constexpr uint32_t kVariantNoMeshes = kFeatureAll & ~uint32_t{kFeatureMeshes};
+inline constexpr uint32_t kVariantBooks =  // the shapes and materials of the books
+    kFeatureAll & ~uint32_t{kFeatureMeshes | kFeaturePrincipled};
 inline constexpr uint32_t kVariantGeneral = kFeatureAll;
 
 /// Calls f.operator()<kFeatures>() for the smallest variant that has all `needed` features.
@@ -16,7 +17,7 @@ template <class F>
 decltype(auto) with_variant(uint32_t needed, F&& f) {
     if ((needed & ~kVariantSpheres) == 0) return f.template operator()<kVariantSpheres>();
     if ((needed & ~kVariantLit) == 0) return f.template operator()<kVariantLit>();
-    if ((needed & ~kVariantNoMeshes) == 0) return f.template operator()<kVariantNoMeshes>();
+    if ((needed & ~kVariantBooks) == 0) return f.template operator()<kVariantBooks>();
     return f.template operator()<kVariantGeneral>();
 }
 

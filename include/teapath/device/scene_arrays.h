@@ -40,6 +40,7 @@ struct SceneArrays {
     std::vector<InstanceRecord> instances;  // in the order of the objects
     std::vector<LightRecord> lights;
     std::vector<MaterialRecord> materials;
+    std::vector<PrincipledRecord> principled;
     std::vector<uint32_t> material_ids;  // MaterialId::value of each record
     std::vector<TextureRecord> textures;
     std::vector<std::byte> texels;  // all images, each aligned to 16 bytes

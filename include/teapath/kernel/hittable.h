@@ -93,6 +93,21 @@ TP_HD Vec2 texture_uv(const Hittable& h, const SurfacePoint& point) {
     return with_shape(h, [&](const auto& shape) { return texture_uv(shape, point); });
 }
 
+/// The direction of growing u at a point with this normal, and the sign of the bitangent w * n x t
+/// towards the top of an image.
+TP_HD Vec4 shape_tangent(const Hittable& h, Vec3 normal) {
+    switch (h.kind) {
+        case HittableKind::Rectangle:
+        case HittableKind::Disk:
+        case HittableKind::Triangle: {
+            const Flat& flat = h.rectangle;
+            const Vec3 bitangent = cross(normal, flat.edge_u);
+            return Vec4(flat.edge_u, dot(bitangent, flat.edge_v) > 0 ? -1 : 1);
+        }
+        default: return Vec4(cross(Vec3(0, 1, 0), normal), 1);  // eastwards
+    }
+}
+
 /// A point of `h` for light sampling as seen from `from`; pdf over solid angle.
 TP_HD ShapeSample sample_toward(const Hittable& h, Vec3 from, Vec2 u) {
     ShapeSample sample =

@@ -1,4 +1,4 @@
-// A material at a surface point: its bsdf, what it emits, how much goes straight through.
+// A material at a surface point: its colour, what it emits, how much goes straight through.
 #pragma once
 
 #include <teapath/kernel/bsdf/bsdf.h>
@@ -15,15 +15,21 @@ struct Surface {
     Vec2 uv{0, 0};           // of textures, set 0; zero in kernels without them
     Vec2 uv1{0, 0};          // set 1 of a mesh
     Vec4 color{1, 1, 1, 1};  // of a mesh's vertices; multiplies the material's
+    // Of what has a direction along the surface: +x of normal maps, and the sign of the bitangent
+    // w * n x t, which points to the top of the image. Zero: none is known.
+    Vec4 tangent{0, 0, 0, 1};
 };
 
 /// Fills what a mesh knows of its surface at triangle `primitive`, at the weights in s.point.uv.
 template <uint32_t kFeatures>
-TP_HD void add_mesh_attributes(const MeshView& mesh, const MeshTriangle& triangle, Surface& s) {
+TP_HD void add_mesh_attributes(const MeshView& mesh, const InstanceRecord& instance,
+                               const MeshTriangle& triangle, Surface& s) {
     if constexpr ((kFeatures & kFeatureTextures) != 0) {
         s.uv = mesh_uv(mesh, triangle, s.point.uv, 0);
         s.uv1 = mesh_uv(mesh, triangle, s.point.uv, 1);
     }
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+        s.tangent = mesh_tangent(mesh, instance, triangle, s.point);
     if (mesh.attributes.colors)
         s.color = interpolate(mesh.attributes.colors, triangle, barycentric_at(s.point.uv));
 }
@@ -41,7 +47,7 @@ TP_HD Surface make_mesh_surface(const SceneView& scene, const Hittable& h, Vec3 
     if (h.inside_out) s.point.normal = -s.point.normal;
     s.front = dot(direction, s.point.normal) < 0;
     s.normal = dot(direction, shading) < 0 ? shading : -shading;
-    add_mesh_attributes<kFeatures>(mesh, triangle, s);
+    add_mesh_attributes<kFeatures>(mesh, instance, triangle, s);
     return s;
 }
 
@@ -64,6 +70,9 @@ TP_HD Surface make_surface(const SceneView& scene, const Hittable& h, Vec3 origi
     s.normal = s.front ? s.point.normal : -s.point.normal;
     if constexpr ((kFeatures & kFeatureTextures) != 0) {
         if (!scene.textures.empty()) s.uv = texture_uv(h, s.point);
+    }
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+        s.tangent = shape_tangent(h, s.point.normal);
     }
     return s;
 }
@@ -114,19 +123,6 @@ template <uint32_t kFeatures>
 TP_HD Vec3 emitted_radiance(const SceneView& scene, const MaterialRecord& m, const Surface& s) {
     const Vec3 color = Vec3(material_color<kFeatures>(scene, m.emission, s));
     return (kFeatures & kFeatureTextures) && m.emission.texture >= 0 ? color * m.strength : color;
-}
-
-/// The bsdf, with `color` from material_color of m.color.
-TP_HD Bsdf make_bsdf(const MaterialRecord& m, Vec3 color, const Surface& s, ScatterRule scatter) {
-    Bsdf b;
-    b.kind = m.kind;
-    b.fresnel = m.fresnel;
-    b.scatter = scatter;
-    b.color = color;
-    b.normal = s.normal;
-    b.fuzz = m.fuzz;
-    b.eta = s.front ? m.eta : 1 / m.eta;
-    return b;
 }
 
 }  // namespace tp

@@ -9,7 +9,7 @@
 #include <teapath/kernel/film_view.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/light.h>
-#include <teapath/kernel/material.h>
+#include <teapath/kernel/make_bsdf.h>
 #include <teapath/kernel/path_state.h>
 #include <teapath/kernel/sampler.h>
 #include <teapath/kernel/traverse.h>
@@ -76,8 +76,9 @@ TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& ligh
     s.point = point;
     if constexpr ((kFeatures & kFeatureMeshes) != 0) {
         if (emitter.kind == HittableKind::Mesh) {
-            const MeshView& mesh = scene.meshes[scene.instances[emitter.mesh.instance].mesh];
-            add_mesh_attributes<kFeatures>(mesh, mesh.triangles[light.primitive], s);
+            const InstanceRecord& instance = scene.instances[emitter.mesh.instance];
+            const MeshView& mesh = scene.meshes[instance.mesh];
+            add_mesh_attributes<kFeatures>(mesh, instance, mesh.triangles[light.primitive], s);
             return s;
         }
     }
@@ -104,7 +105,7 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
     if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
 
     // What reflects towards wo.
-    const Vec3 f = bsdf_eval(bsdf, wo, sample.direction);
+    const Vec3 f = bsdf_eval<kFeatures>(bsdf, wo, sample.direction);
     if (is_black(f)) return;
 
     // What comes from there.
@@ -115,7 +116,7 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
         radiance *=
             opacity_of(material, surface_color<kFeatures>(params.scene, material, at_light).w);
 
-    const Real weight = mis_weight(pdf, bsdf_pdf(bsdf, wo, sample.direction));
+    const Real weight = mis_weight(pdf, bsdf_pdf<kFeatures>(bsdf, wo, sample.direction));
     shadow.origin =
         offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
     shadow.direction = sample.direction;
@@ -151,6 +152,9 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     const Hittable& hittable = scene.hittables[hit.index];
     const MaterialRecord& material = scene.materials[hittable.material];
     const Surface s = make_surface<kFeatures>(scene, hittable, path.origin, path.direction, hit);
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+        if (!s.front) path.throughput *= transmittance_within<kFeatures>(scene, material, hit.t);
+    }
     const uint32_t dimension = vertex_dimension(path.vertex);
     const Vec4 color = surface_color<kFeatures>(scene, material, s);
 
@@ -191,7 +195,8 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
 
     // Direct light.
     const Vec3 wo = -path.direction;
-    const Bsdf bsdf = make_bsdf(material, Vec3(color), s, settings.scatter);
+    const Bsdf bsdf =
+        make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter);
     if constexpr ((kFeatures & kFeatureLights) != 0) {
         if (settings.light_sampling && !scene.lights.empty() && !is_specular(bsdf))
             sample_light<kFeatures>(params, sampler, path, s, bsdf, wo, shadow);
@@ -202,7 +207,7 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     Real u3 = 0;
     if (samples_with_third_number(bsdf))
         u3 = sample_1d<kSobol>(sampler, dimension + kDimensionLobe);
-    const BsdfSample next = bsdf_sample(bsdf, wo, u, u3);
+    const BsdfSample next = bsdf_sample<kFeatures>(bsdf, wo, u, u3);
     if (is_black(next.weight)) return false;
     path.throughput *= next.weight;
     path.eta_scale *= next.eta_scale;

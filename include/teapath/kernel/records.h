@@ -6,6 +6,7 @@
 #include <teapath/kernel/bvh_node.h>
 #include <teapath/kernel/hittable.h>
 #include <teapath/kernel/kinds.h>
+#include <teapath/kernel/scene_features.h>
 
 namespace tp {
 
@@ -26,6 +27,7 @@ struct MaterialRecord {
     union {
         Real fuzz;  // Metal
         Real eta;   // Dielectric: index behind the normal over the index before it
+        uint32_t principled;  // Principled: index of the PrincipledRecord
     };
     AlphaMode alpha = AlphaMode::Blend;
     Real alpha_cutoff = Real(0.5);
@@ -33,6 +35,31 @@ struct MaterialRecord {
     Vec3 pass_through{1, 1, 1};
 
     TP_HD_MEMBER MaterialRecord() : fuzz(0) {}
+};
+
+/// A number, times a channel of the texture if there is one.
+struct NumberRef {
+    Real value = 0;
+    int32_t texture = -1;
+    int32_t channel = 0;
+};
+
+/// The parameters of a principled surface beyond its colour, which the MaterialRecord has.
+struct PrincipledRecord {
+    NumberRef metallic, roughness, specular, anisotropy;
+    ColorRef specular_color;
+    Real anisotropy_cosine = 1, anisotropy_sine = 0;  // of its direction from the tangent
+    Real ior = Real(1.5);
+    NumberRef transmission, diffuse_transmission;
+    ColorRef diffuse_transmission_color;
+    Vec3 absorption{0, 0, 0};  // within, per scene unit
+    NumberRef coat, coat_roughness;
+    ColorRef sheen_color;
+    NumberRef sheen_roughness;
+    int32_t normal = -1;  // index of the TextureRecord of a normal map
+    Real normal_scale = 1;
+    bool thin = true;
+    bool compensation = true;
 };
 
 struct CheckerRecord {
@@ -93,18 +120,6 @@ struct CameraRecord {
     Real focus_distance = 1;
     Real near_clip = 0;  // along `forward`; 0 = off
     Real far_clip = kInfinity;
-};
-
-/// What a scene contains, as bits: a kernel is compiled for some sets of them.
-enum SceneFeature : uint32_t {
-    kFeatureShapes = 1,    // hittables that are not spheres
-    kFeatureTextures = 2,  // any texture, an image as background
-    kFeatureLights = 4,    // emitting hittables
-    kFeatureOpacity = 8,   // materials that let light straight through
-    kFeatureSobol = 16,    // the Sobol sampler
-    kFeatureDebug = 32,    // integrators other than Path and Book; brute force
-    kFeatureMeshes = 64,   // hittables that are meshes
-    kFeatureAll = 127
 };
 
 }  // namespace tp

@@ -1,6 +1,7 @@
 // The flat arrays of a scene, as a kernel sees them.
 #pragma once
 
+#include <teapath/kernel/bsdf/albedo_table.h>
 #include <teapath/kernel/records.h>
 
 namespace tp {
@@ -13,6 +14,8 @@ struct SceneView {
     Span<const LightRecord> lights;
     Span<const MaterialRecord> materials;
     Span<const uint32_t> material_ids;
+    Span<const PrincipledRecord> principled;
+    AlbedoTables albedo_tables;
     Span<const TextureRecord> textures;
     const unsigned char* texels = nullptr;
     const float* srgb_table = nullptr;  // 256 entries: linear value of an 8-bit code

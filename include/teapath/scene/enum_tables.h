@@ -13,8 +13,8 @@ struct EnumTable<MaterialKind> {
         EnumRow<E>{E::Lambertian, "lambertian", "Lambertian"},
         EnumRow<E>{E::Metal, "metal", "Metal"},
         EnumRow<E>{E::Dielectric, "dielectric", "Dielectric"},
-        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"},
-        EnumRow<E>{E::Principled, "principled", "Principled"}};
+        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"}};
+    // Principled is not offered yet: files and panels do not know its parameters.
 };
 
 template <>

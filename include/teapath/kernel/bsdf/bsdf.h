@@ -1,13 +1,28 @@
 // The bsdf of a surface point: a tag and the parameters of one lobe model, with one switch per
 // operation. A new material is a file beside this one, a case in each switch here and in
-// material.h, a row in the enum table, a test.
+// material.h, a row in the enum table, a test. kFeatures leaves out the kinds that a scene has not.
 #pragma once
 
 #include <teapath/kernel/bsdf/dielectric.h>
 #include <teapath/kernel/bsdf/lambertian.h>
 #include <teapath/kernel/bsdf/metal.h>
+#include <teapath/kernel/bsdf/principled.h>
+#include <teapath/kernel/scene_features.h>
 
 namespace tp {
+
+/// The lobes of a principled surface in the world.
+struct PlacedLobes {
+    PrincipledLobes lobes;
+    Frame frame;  // z is the shading normal
+    AlbedoTables tables;
+
+    /// A direction in the frame; one that should be above does not graze.
+    TP_HD_MEMBER Vec3 local_wo(Vec3 wo) const {
+        const Vec3 local = frame.to_local(wo);
+        return {local.x, local.y, max(local.z, Real(1e-4))};
+    }
+};
 
 struct Bsdf {
     MaterialKind kind;
@@ -17,6 +32,11 @@ struct Bsdf {
     Vec3 normal;  // unit, on the side of wo
     Real fuzz;    // Metal
     Real eta;     // Dielectric: index on the far side over index on the side of wo
+    union {
+        PlacedLobes principled;  // Principled; else not set
+    };
+
+    TP_HD_MEMBER Bsdf() {}
 };
 
 /// True if every lobe is a delta: light sampling finds nothing.
@@ -24,9 +44,9 @@ TP_HD bool is_specular(const Bsdf& b) {
     switch (b.kind) {
         case MaterialKind::Metal: return b.fuzz <= 0;
         case MaterialKind::Dielectric: return true;
-        case MaterialKind::Principled:
         case MaterialKind::Lambertian:
-        case MaterialKind::DiffuseLight: break;
+        case MaterialKind::DiffuseLight:
+        case MaterialKind::Principled: break;
     }
     return false;
 }
@@ -34,9 +54,9 @@ TP_HD bool is_specular(const Bsdf& b) {
 /// True if bsdf_sample reads its third number; it is 0 otherwise, which saves making it.
 TP_HD bool samples_with_third_number(const Bsdf& b) {
     switch (b.kind) {
-        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return b.scatter == ScatterRule::CosineCubed;
         case MaterialKind::Metal: return b.fuzz > 0;
+        case MaterialKind::Principled: return true;
         case MaterialKind::Dielectric:
         case MaterialKind::DiffuseLight: break;
     }
@@ -44,11 +64,16 @@ TP_HD bool samples_with_third_number(const Bsdf& b) {
 }
 
 /// f(wo, wi) |cos(wi)|, without delta lobes.
+template <uint32_t kFeatures = kFeatureAll>
 TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
     switch (b.kind) {
-        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return lambertian_eval(b.color, b.normal, wi);
         case MaterialKind::Metal: return metal_eval(b.color, b.fuzz, b.normal, wo, wi);
+        case MaterialKind::Principled:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+                return principled_eval(b.principled.lobes, b.principled.tables,
+                                       b.principled.local_wo(wo), b.principled.frame.to_local(wi));
+            break;
         case MaterialKind::Dielectric:
         case MaterialKind::DiffuseLight: break;
     }
@@ -56,11 +81,16 @@ TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
 }
 
 /// Density of bsdf_sample over solid angle, without delta lobes.
+template <uint32_t kFeatures = kFeatureAll>
 TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
     switch (b.kind) {
-        case MaterialKind::Principled:
         case MaterialKind::Lambertian: return lambertian_pdf(b.normal, wi);
         case MaterialKind::Metal: return metal_pdf(b.fuzz, b.normal, wo, wi);
+        case MaterialKind::Principled:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+                return principled_pdf(b.principled.lobes, b.principled.local_wo(wo),
+                                      b.principled.frame.to_local(wi));
+            break;
         case MaterialKind::Dielectric:
         case MaterialKind::DiffuseLight: break;
     }
@@ -68,14 +98,22 @@ TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
 }
 
 /// A direction with density bsdf_pdf, or of a delta lobe; `u` and `u3` are uniform in [0, 1).
+template <uint32_t kFeatures = kFeatureAll>
 TP_HD BsdfSample bsdf_sample(const Bsdf& b, Vec3 wo, Vec2 u, Real u3) {
     switch (b.kind) {
-        case MaterialKind::Principled:
         case MaterialKind::Lambertian:
             return lambertian_sample_by_rule(b.scatter, b.color, b.normal, u, u3);
         case MaterialKind::Metal: return metal_sample(b.color, b.fuzz, b.normal, wo, u, u3);
         case MaterialKind::Dielectric:
             return dielectric_sample(b.color, b.eta, b.fresnel, b.normal, wo, u.x);
+        case MaterialKind::Principled:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+                const PlacedLobes& p = b.principled;
+                BsdfSample s = principled_sample(p.lobes, p.tables, p.local_wo(wo), u, u3);
+                s.wi = p.frame.to_world(s.wi);
+                return s;
+            }
+            break;
         case MaterialKind::DiffuseLight: break;
     }
     return {};

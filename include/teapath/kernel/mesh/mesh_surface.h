@@ -61,6 +61,27 @@ TP_HD Vec2 mesh_uv(const MeshView& mesh, const MeshTriangle& t, Vec2 barycentric
     return uvs ? interpolate(uvs, t, barycentric_at(barycentric)) : Vec2(0, 0);
 }
 
+/// The direction of growing u in the world, and the sign of the bitangent w * n x t towards the top
+/// of the image: by the mesh's tangents, else by set 0 of its texture coordinates; zero without.
+TP_HD Vec4 mesh_tangent(const MeshView& mesh, const InstanceRecord& instance,
+                        const MeshTriangle& t, const SurfacePoint& point) {
+    const Mat3& linear = instance.world_from_object.linear;
+    if (mesh.attributes.tangents) {
+        const Vec4 tangent = interpolate(mesh.attributes.tangents, t, barycentric_at(point.uv));
+        return Vec4(linear * Vec3(tangent), tangent.w < 0 ? -1 : 1);
+    }
+    const Vec2* uvs = mesh.attributes.uvs[0];
+    if (!uvs) return {0, 0, 0, 1};
+    const Vec2 b = uvs[t.b.vertex] - uvs[t.a.vertex], c = uvs[t.c.vertex] - uvs[t.a.vertex];
+    const Real determinant = b.x * c.y - c.x * b.y;
+    if (determinant == 0) return {0, 0, 0, 1};
+    const Vec3 edge_b = linear * (t.b.position - t.a.position);
+    const Vec3 edge_c = linear * (t.c.position - t.a.position);
+    const Vec3 along_u = (edge_b * c.y - edge_c * b.y) / determinant;
+    const Vec3 along_v = (edge_c * b.x - edge_b * c.x) / determinant;
+    return Vec4(along_u, dot(cross(point.normal, along_u), along_v) > 0 ? -1 : 1);
+}
+
 /// The area of a placed triangle.
 TP_HD Real area_of(const InstanceRecord& instance, const MeshTriangle& t) {
     const Mat3& m = instance.world_from_object.linear;
