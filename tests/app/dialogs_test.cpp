@@ -201,6 +201,29 @@ TEST_CASE("dialogs: dropped images become the background or the selection's colo
     CHECK(t.app->ui.toasts.front().is_error);
 }
 
+TEST_CASE("dialogs: a dropped mesh becomes an object in view; a broken one is a message") {
+    WindowTest t;
+    const fs::path file = window_test_options().folder / "roof.obj";
+    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nv 0.5 0 1\nf 1 2 3\nf 2 4 3\n";
+    const size_t before = t.scene().objects.size();
+    t.drop(file);
+    CHECK(t.frames_until([&] { return t.scene().objects.size() == before + 1; }));
+    const Object& object = t.scene().objects.back();
+    CHECK(object.name == "roof");
+    REQUIRE(std::holds_alternative<MeshShape>(object.shape));
+    CHECK(std::get<MeshShape>(object.shape).file.mesh->triangles.size() == 2);
+    CHECK(t.app->document.is_selected(item_of(object.id)));
+    t.app->document.undo();
+    CHECK(t.scene().objects.size() == before);
+
+    std::ofstream(file) << "v 0 0 0\nf 1 2 3\n";
+    t.app->ui.toasts.clear();
+    t.drop(file);
+    CHECK(t.frames_until(
+        [&] { return !t.app->ui.dialogs.messages.empty() || !t.app->ui.toasts.empty(); }));
+    CHECK(t.scene().objects.size() == before);
+}
+
 TEST_CASE("dialogs: an export runs beside the window and says where its file is") {
     WindowTest t;
     const fs::path file = window_test_options().folder / "exported.png";

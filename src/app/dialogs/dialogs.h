@@ -36,9 +36,15 @@ void read_image_then(PanelContext& c, const std::filesystem::path& file,
 /// Asks for an image for that texture, or for the background; `present` is the path it has now.
 void ask_for_image(PanelContext& c, SceneItem owner, const std::string& present);
 
+// Meshes (mesh_files.cpp).
+/// Reads a mesh, and in a later frame adds it as an object, placed in view.
+void open_mesh(PanelContext& c, const std::filesystem::path& file);
+/// Asks for a mesh to add.
+void ask_for_mesh(PanelContext& c);
+
 // Files dropped on the window (drop.cpp).
-/// A scene is opened, after the question; an image becomes the selected objects' colour or, over
-/// the viewport with nothing selected, the background; anything else is a notice.
+/// A scene is opened, after the question; a mesh is added; an image becomes the selected objects'
+/// colour or, over the viewport with nothing selected, the background; anything else is a notice.
 void drop_file(PanelContext& c, const std::filesystem::path& file);
 
 // Pictures (image_files.cpp).

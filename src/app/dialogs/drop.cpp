@@ -79,14 +79,19 @@ void drop_file(PanelContext& c, const fs::path& file) {
     const std::string name = file.filename().string();
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) {
-        c.toast(fmt::format("{} is a folder; drop a scene (.json) or an image", name), true);
+        c.toast(fmt::format("{} is a folder; drop a scene (.json), a mesh or an image", name),
+                true);
     } else if (scene_filters().front().passes(file)) {
         ask_first(c, "opening " + name, [file](PanelContext& p) { open_scene(p, file); });
+    } else if (mesh_filters().front().passes(file)) {
+        open_mesh(c, file);
     } else if (texture_filters().front().passes(file)) {
         drop_image(c, file);
     } else {
-        c.toast(fmt::format("{} is neither a scene (.json) nor an image that can be read", name),
-                true);
+        c.toast(
+            fmt::format("{} is no scene (.json), mesh (.ply, .obj, .stl) or image that can be read",
+                        name),
+            true);
     }
 }
 

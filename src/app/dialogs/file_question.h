@@ -34,6 +34,7 @@ void draw_file_question(PanelContext& c);
 std::vector<FileFilter> scene_filters();
 /// Images that can be read.
 std::vector<FileFilter> texture_filters();
+std::vector<FileFilter> mesh_filters();
 /// Images that can be written.
 std::vector<FileFilter> picture_filters();
 

@@ -1,6 +1,7 @@
 // Images from files for textures and the background.
 #include "dialogs.h"
 #include "file_question.h"
+#include "path_in_scene.h"
 
 #include <teapath/editor/scene_edits.h>
 #include <teapath/io/image_file.h>
@@ -11,16 +12,6 @@ namespace tp {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The path as the scene is to say it: from the scene's folder on, where it lies below that.
-std::string path_in_scene(const Scene& scene, const fs::path& file) {
-    const fs::path whole = fs::absolute(file).lexically_normal();
-    if (scene.origin.folder.empty()) return whole.generic_string();
-    const fs::path folder = fs::absolute(scene.origin.folder).lexically_normal();
-    const fs::path relative = whole.lexically_relative(folder);
-    return relative.empty() || *relative.begin() == ".." ? whole.generic_string()
-                                                         : relative.generic_string();
-}
 
 void put_image(Document& document, SceneItem owner, const ImageFile& image) {
     document.edit(fmt::format("Image of {}", item_name(document.scene(), owner)), "",
