@@ -3,12 +3,14 @@
 
   convert_reference.py IN.json OUT.json
 
-Textures are referred to by their absolute path. What Teapath cannot yet express is named on stderr,
+Textures are referred to by their absolute path; meshes become PLY files beside OUT.json. What Teapath cannot yet express is named on stderr,
 one line a part; then nothing is written and the exit code is 3.
 """
 import json
 import os
 import sys
+
+from ply_file import read_ply, write_ply
 
 
 class Unsupported(Exception):
@@ -39,7 +41,7 @@ def convert_texture(texture, folder):
     if texture["type"] == "checker":
         return {"type": "checker", "cells": texture["cells"], "even": texture["even"], "odd": texture["odd"]}
     if texture["type"] in ("image", "bitmap"):
-        return {"type": "image", "file": os.path.join(folder, texture["file"]), "repeat": texture.get("repeat", [1, 1])}
+        return {"type": "image", "file": os.path.join(folder, "scenes", texture["file"]), "repeat": texture.get("repeat", [1, 1])}
     raise Unsupported("texture of type " + texture["type"])
 
 
@@ -62,34 +64,37 @@ def convert_material(material, emission):
     return result
 
 
-def triangles(mesh):
-    if "file" in mesh:
-        raise Unsupported("mesh from a file")
-    if "uvs" in mesh or "normals" in mesh:
-        raise Unsupported("mesh with texture coordinates or normals")
-    points = mesh["positions"]
-    for a, b, c in mesh["indices"]:
-        yield {"type": "triangle", "a": points[a], "b": points[b], "c": points[c]}
+def convert_mesh(mesh, folder, output):
+    """The shape; its triangles go to a file beside the output."""
+    triangles = read_ply(os.path.join(folder, "scenes", mesh["file"])) if "file" in mesh else mesh
+    path = "%s_%d.ply" % (os.path.splitext(output)[0], len(triangles["positions"]))
+    write_ply(path, triangles)
+    return {"type": "mesh", "file": os.path.basename(path), "smooth": mesh.get("smooth", "normals" in mesh)}
 
 
-def convert_shape(shape):
+def convert_transform(mesh):
+    scale = mesh.get("scale", 1)
+    return {"translate": mesh.get("translate", [0, 0, 0]), "scale": scale if isinstance(scale, list) else [scale] * 3}
+
+
+def convert_shape(shape, folder, output):
     kind = shape["type"]
     if shape.get("medium_inside") or shape.get("medium_outside"):
         raise Unsupported("media")
     if kind == "sphere":
         radius = -shape["radius"] if shape.get("inside_out") else shape["radius"]
-        return [{"type": "sphere", "center": shape["center"], "radius": radius}]
+        return {"type": "sphere", "center": shape["center"], "radius": radius}
     if kind == "rectangle":
-        return [{"type": "rectangle", "corner": shape["corner"], "edge_u": shape["edge_u"], "edge_v": shape["edge_v"]}]
+        return {"type": "rectangle", "corner": shape["corner"], "edge_u": shape["edge_u"], "edge_v": shape["edge_v"]}
     if kind == "box":
-        return [{"type": "box", "low": shape["min"], "high": shape["max"]}]
+        return {"type": "box", "low": shape["min"], "high": shape["max"]}
     if kind == "mesh":
-        return list(triangles(shape))
+        return convert_mesh(shape, folder, output)
     raise Unsupported("shape of type " + kind)
 
 
-def convert(scene, folder):
-    """The Teapath scene of a reference scene whose files lie beside `folder`; raises Unsupported."""
+def convert(scene, folder, output):
+    """The Teapath scene of a reference scene whose files lie below `folder`; raises Unsupported."""
     missing = []
 
     def attempt(function, *arguments):
@@ -117,8 +122,10 @@ def convert(scene, folder):
         name = shape["material"] + (" emitting %s" % emission if emission else "")
         if name not in result["materials"]:
             result["materials"][name] = attempt(convert_material, scene["materials"][shape["material"]], emission)
-        for part in attempt(convert_shape, shape) or []:
-            result["objects"].append({"shape": part, "material": name})
+        item = {"shape": attempt(convert_shape, shape, folder, output), "material": name}
+        if shape["type"] == "mesh":
+            item["transform"] = convert_transform(shape)
+        result["objects"].append(item)
     if missing:
         raise Unsupported("\n".join(sorted(set(missing))))
     return result
@@ -131,7 +138,7 @@ def main():
         scene = json.load(file)
     folder = os.path.dirname(os.path.dirname(os.path.abspath(sys.argv[1])))
     try:
-        converted = convert(scene, folder)
+        converted = convert(scene, folder, sys.argv[2])
     except Unsupported as parts:
         for part in str(parts).split("\n"):
             print("%s: not yet: %s" % (sys.argv[1], part), file=sys.stderr)
