@@ -25,8 +25,8 @@ AlbedoTables tables() {
 
 Vec3 tilted(double degrees, double turn = 0.3) {
     const double angle = degrees * 3.14159265358979323846 / 180;
-    return normalize(Vec3(Double3(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn),
-                                  std::cos(angle))));
+    return normalize(Vec3(Double3(std::sin(angle) * std::cos(turn),
+                                  std::sin(angle) * std::sin(turn), std::cos(angle))));
 }
 
 struct Case {
@@ -79,8 +79,8 @@ double albedo(const PrincipledParameters& p, double degrees, uint32_t samples) {
     double sum = 0;
     for (uint32_t i = 0; i < samples; ++i) {
         const TeaBlock a = tea_encrypt<8>({i, 0}, key), c = tea_encrypt<8>({i, 1}, key);
-        const BsdfSample s = principled_sample(
-            l, tables(), wo, {unit_real(a.v0), unit_real(a.v1)}, unit_real(c.v0));
+        const BsdfSample s =
+            principled_sample(l, tables(), wo, {unit_real(a.v0), unit_real(a.v1)}, unit_real(c.v0));
         sum += static_cast<double>(s.weight.y * s.eta_scale);
     }
     return sum / samples;

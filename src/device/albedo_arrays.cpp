@@ -111,10 +111,9 @@ AlbedoArrays make_arrays() {
         const Real root = sqr(std::min(node_value(l % kGlassNodes, kGlassNodes), Real(0.98)));
         const Real eta = std::max((1 + root) / (1 - root), Real(1.001));
         for (int i = 0; i < kPlane; ++i)
-            t.glass[static_cast<size_t>(l * kPlane + i)] =
-                integrate_glass(node_alpha(i / kGlassNodes, kGlassNodes),
-                                node_value(i % kGlassNodes, kGlassNodes),
-                                l < kGlassNodes ? eta : 1 / eta);
+            t.glass[static_cast<size_t>(l * kPlane + i)] = integrate_glass(
+                node_alpha(i / kGlassNodes, kGlassNodes), node_value(i % kGlassNodes, kGlassNodes),
+                l < kGlassNodes ? eta : 1 / eta);
     });
     return t;
 }

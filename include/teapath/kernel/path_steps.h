@@ -195,8 +195,7 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
 
     // Direct light.
     const Vec3 wo = -path.direction;
-    const Bsdf bsdf =
-        make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter);
+    const Bsdf bsdf = make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter);
     if constexpr ((kFeatures & kFeatureLights) != 0) {
         if (settings.light_sampling && !scene.lights.empty() && !is_specular(bsdf))
             sample_light<kFeatures>(params, sampler, path, s, bsdf, wo, shadow);

@@ -47,9 +47,7 @@ template <uint32_t kFeatures>
 TP_HD PrincipledParameters principled_parameters(const SceneView& scene, const PrincipledRecord& r,
                                                  Vec3 base, const Surface& s) {
     const auto number = [&](const NumberRef& ref) { return number_at<kFeatures>(scene, ref, s); };
-    const auto share = [&](const NumberRef& ref) {
-        return clamp(number(ref), Real(0), Real(1));
-    };
+    const auto share = [&](const NumberRef& ref) { return clamp(number(ref), Real(0), Real(1)); };
     const auto color = [&](const ColorRef& ref) {
         return Vec3(material_color<kFeatures>(scene, ref, s));
     };

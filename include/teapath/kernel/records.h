@@ -25,8 +25,8 @@ struct MaterialRecord {
     ColorRef emission;  // radiance; strength is in the constant, and beside it for textures
     Real strength = 1;
     union {
-        Real fuzz;  // Metal
-        Real eta;   // Dielectric: index behind the normal over the index before it
+        Real fuzz;            // Metal
+        Real eta;             // Dielectric: index behind the normal over the index before it
         uint32_t principled;  // Principled: index of the PrincipledRecord
     };
     AlphaMode alpha = AlphaMode::Blend;

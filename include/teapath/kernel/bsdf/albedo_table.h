@@ -17,7 +17,7 @@ struct AlbedoTables {
     const Vec2* ggx = nullptr;          // kAlbedoRoughness rows of kAlbedoCosines
     const Vec2* ggx_average = nullptr;  // by roughness: average over cosine-weighted directions
     const Real* sheen = nullptr;        // kAlbedoRoughness rows of kAlbedoCosines
-    const Real* glass = nullptr;        // by side (from outside, from within), F0, roughness, cosine
+    const Real* glass = nullptr;  // by side (from outside, from within), F0, roughness, cosine
 };
 
 /// The node below `x` in [0, 1] and the share of the next one.
@@ -34,8 +34,8 @@ TP_HD TablePlace table_place(Real x, int nodes) {
 template <class T>
 TP_HD T look_up(const T* table, TablePlace row, TablePlace column, int columns) {
     const T* low = table + row.node * columns + column.node;
-    return lerp(lerp(low[0], low[1], column.share), lerp(low[columns], low[columns + 1], column.share),
-                row.share);
+    return lerp(lerp(low[0], low[1], column.share),
+                lerp(low[columns], low[columns + 1], column.share), row.share);
 }
 
 TP_HD Vec2 ggx_albedo(const AlbedoTables& t, Real cosine, Real alpha) {

@@ -35,12 +35,12 @@ struct PrincipledParameters {
 /// The parameters with what follows from them for one wo.
 struct PrincipledLobes {
     PrincipledParameters p;
-    Real mean_alpha;      // of both directions
-    Vec3 dielectric_ms;   // reflectance of what facets scatter on, of the dielectric
-    Vec3 multiple;        // the same, with the metal
-    Real lost_o;          // 1 - E(wo): what one scattering loses of white
-    Real lost_average;    // its average
-    Real under_o;         // what the dielectric's reflection leaves below, seen from wo
+    Real mean_alpha;     // of both directions
+    Vec3 dielectric_ms;  // reflectance of what facets scatter on, of the dielectric
+    Vec3 multiple;       // the same, with the metal
+    Real lost_o;         // 1 - E(wo): what one scattering loses of white
+    Real lost_average;   // its average
+    Real under_o;        // what the dielectric's reflection leaves below, seen from wo
     Real under_average;
     Real below_coat;      // what sheen and coat leave to the base
     Real below_sheen;     // what sheen leaves to the coat
@@ -94,8 +94,8 @@ TP_HD void choose_lobes(PrincipledLobes& l, Vec2 albedo, Real cos_o) {
     // Rough facets let light through also where a smooth interface would reflect all of it.
     const Real smooth =
         1 - min(luminance(dielectric_reflectance(p, transmitting_weight(p, cos_o))), Real(1));
-    const Real seen_through = p.transmission * (1 - p.metallic) *
-                              max(smooth, min(2 * l.mean_alpha, Real(0.5)));
+    const Real seen_through =
+        p.transmission * (1 - p.metallic) * max(smooth, min(2 * l.mean_alpha, Real(0.5)));
     const Real mirror = luminance(lerp(dielectric, metal, p.metallic));
     const Real opaque = (1 - p.metallic) * (1 - p.transmission) * l.under_o;
     l.specular = max(mirror, (1 - p.metallic) * p.transmission * (1 - seen_through) * Real(0.5));
@@ -125,9 +125,8 @@ TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
     l.lost_o = max(1 - albedo.x - albedo.y, Real(0));
     l.lost_average = max(1 - average_sum, Real(1e-6));
     l.dielectric_ms = p.compensation ? multiple_reflectance(p.f0, p.f90, average_sum) : Vec3(0);
-    l.multiple =
-        lerp(l.dielectric_ms * (1 - p.transmission), multiple_reflectance(p.base, 1, average_sum),
-             p.metallic);
+    l.multiple = lerp(l.dielectric_ms * (1 - p.transmission),
+                      multiple_reflectance(p.base, 1, average_sum), p.metallic);
     l.under_o = left_below(l, albedo);
     l.under_average = max(left_below(l, average), Real(1e-6));
 
@@ -137,9 +136,8 @@ TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
     l.below_sheen = 1 - max_component(p.sheen) * sheen_o;
     if (p.coat > 0) {
         const Vec2 coat = ggx_albedo(tables, cos_o, p.coat_alpha);
-        coat_o = p.coat * (p.compensation
-                               ? kCoatF0 * coat.x + coat.y
-                               : kCoatF0 + (1 - kCoatF0) * schlick_weight(cos_o));
+        coat_o = p.coat * (p.compensation ? kCoatF0 * coat.x + coat.y
+                                          : kCoatF0 + (1 - kCoatF0) * schlick_weight(cos_o));
     }
     l.below_coat = l.below_sheen * (1 - coat_o);
     l.sheen = 1 - l.below_sheen;
@@ -148,8 +146,8 @@ TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
     // The transmitting interface, with what one scattering loses.
     l.interface_gain = 1;
     if (p.compensation && p.transmission > 0) {
-        const Real kept = p.thin ? albedo.x + albedo.y
-                                 : glass_albedo(tables, cos_o, l.mean_alpha, p.eta);
+        const Real kept =
+            p.thin ? albedo.x + albedo.y : glass_albedo(tables, cos_o, l.mean_alpha, p.eta);
         l.interface_gain = 1 / max(kept, Real(0.1));
     }
     choose_lobes(l, albedo, cos_o);
@@ -162,10 +160,11 @@ TP_HD Vec3 specular_color(const PrincipledLobes& l, Real cos_h) {
     const Real schlick = schlick_weight(cos_h);
     Vec3 color = dielectric_reflectance(p, schlick);
     if (p.transmission > 0)
-        color = lerp(color,
-                     dielectric_reflectance(p, transmitting_weight(p, cos_h)) * l.interface_gain,
-                     p.transmission);
-    if (p.metallic > 0) color = lerp(color, p.base + (Vec3(1, 1, 1) - p.base) * schlick, p.metallic);
+        color =
+            lerp(color, dielectric_reflectance(p, transmitting_weight(p, cos_h)) * l.interface_gain,
+                 p.transmission);
+    if (p.metallic > 0)
+        color = lerp(color, p.base + (Vec3(1, 1, 1) - p.base) * schlick, p.metallic);
     return color;
 }
 

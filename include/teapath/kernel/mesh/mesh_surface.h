@@ -63,8 +63,8 @@ TP_HD Vec2 mesh_uv(const MeshView& mesh, const MeshTriangle& t, Vec2 barycentric
 
 /// The direction of growing u in the world, and the sign of the bitangent w * n x t towards the top
 /// of the image: by the mesh's tangents, else by set 0 of its texture coordinates; zero without.
-TP_HD Vec4 mesh_tangent(const MeshView& mesh, const InstanceRecord& instance,
-                        const MeshTriangle& t, const SurfacePoint& point) {
+TP_HD Vec4 mesh_tangent(const MeshView& mesh, const InstanceRecord& instance, const MeshTriangle& t,
+                        const SurfacePoint& point) {
     const Mat3& linear = instance.world_from_object.linear;
     if (mesh.attributes.tangents) {
         const Vec4 tangent = interpolate(mesh.attributes.tangents, t, barycentric_at(point.uv));
