@@ -64,10 +64,10 @@ def convert_material(material, emission):
     return result
 
 
-def convert_mesh(mesh, folder, output):
+def convert_mesh(mesh, folder, output, number):
     """The shape; its triangles go to a file beside the output."""
     triangles = read_ply(os.path.join(folder, "scenes", mesh["file"])) if "file" in mesh else mesh
-    path = "%s_%d.ply" % (os.path.splitext(output)[0], len(triangles["positions"]))
+    path = "%s_%d.ply" % (os.path.splitext(output)[0], number)
     write_ply(path, triangles)
     return {"type": "mesh", "file": os.path.basename(path), "smooth": mesh.get("smooth", "normals" in mesh)}
 
@@ -77,7 +77,7 @@ def convert_transform(mesh):
     return {"translate": mesh.get("translate", [0, 0, 0]), "scale": scale if isinstance(scale, list) else [scale] * 3}
 
 
-def convert_shape(shape, folder, output):
+def convert_shape(shape, folder, output, number):
     kind = shape["type"]
     if shape.get("medium_inside") or shape.get("medium_outside"):
         raise Unsupported("media")
@@ -89,7 +89,7 @@ def convert_shape(shape, folder, output):
     if kind == "box":
         return {"type": "box", "low": shape["min"], "high": shape["max"]}
     if kind == "mesh":
-        return convert_mesh(shape, folder, output)
+        return convert_mesh(shape, folder, output, number)
     raise Unsupported("shape of type " + kind)
 
 
@@ -117,12 +117,12 @@ def convert(scene, folder, output):
         "materials": {},
         "objects": [],
     }
-    for shape in scene["shapes"]:
+    for number, shape in enumerate(scene["shapes"]):
         emission = shape.get("emission")
         name = shape["material"] + (" emitting %s" % emission if emission else "")
         if name not in result["materials"]:
             result["materials"][name] = attempt(convert_material, scene["materials"][shape["material"]], emission)
-        item = {"shape": attempt(convert_shape, shape, folder, output), "material": name}
+        item = {"shape": attempt(convert_shape, shape, folder, output, number), "material": name}
         if shape["type"] == "mesh":
             item["transform"] = convert_transform(shape)
         result["objects"].append(item)
