@@ -9,6 +9,7 @@ find_package(nlohmann_json 3.10 REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(OpenEXR CONFIG REQUIRED)
 find_package(tinyobjloader REQUIRED)
+find_package(TinyGLTF REQUIRED)
 
 # stb: headers only, each implementation compiled once, in io.
 find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)

@@ -72,16 +72,21 @@ Image read_stb(const std::string& bytes, const std::string& file) {
 
 }  // namespace
 
-Image read_image(const std::filesystem::path& file) {
-    const std::string bytes = read_whole_file(file, "an image", kMaxFileBytes);
-    if (!is_exr(bytes)) return read_stb(bytes, file.string());
+Image read_image_from_memory(const std::string& bytes, const std::string& name) {
+    if (bytes.size() > kMaxFileBytes)
+        throw Error(ErrorKind::Input, "the image is larger than 2 GiB", name, "make it smaller");
+    if (!is_exr(bytes)) return read_stb(bytes, name);
     try {
         return read_exr(bytes);
     } catch (const std::exception& error) {
         throw Error(ErrorKind::Input,
-                    fmt::format("the OpenEXR file cannot be read: {}", error.what()), file.string(),
+                    fmt::format("the OpenEXR file cannot be read: {}", error.what()), name,
                     "export it again");
     }
+}
+
+Image read_image(const std::filesystem::path& file) {
+    return read_image_from_memory(read_whole_file(file, "an image", kMaxFileBytes), file.string());
 }
 
 }  // namespace tp

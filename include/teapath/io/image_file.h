@@ -15,6 +15,9 @@ namespace tp {
 /// Throws Error(Input).
 Image read_image(const std::filesystem::path& file);
 
+/// The same from the bytes of a file; `name` stands for it in messages.
+Image read_image_from_memory(const std::string& bytes, const std::string& name);
+
 /// One named plane of a render, float, row-major, top row first.
 struct ImageLayer {
     std::string name;                   // "" = the picture itself, else e.g. "albedo"

@@ -13,6 +13,22 @@
 
 namespace tp {
 
+/// A light without a size, in the units of glTF's KHR_lights_punctual. The renderer has none yet.
+struct ModelLight {
+    enum class Kind : uint8_t { Point, Spot, Directional };
+    std::string name;
+    Kind kind = Kind::Point;
+    Double3 color{1, 1, 1};          // linear
+    double intensity = 1;            // candela; Directional: lux
+    double range = 0;                // scene units; 0 = without end
+    double inner_cone = 0;           // Spot: degrees from the axis, up to which it is whole
+    double outer_cone = 45;          // Spot: degrees from the axis, from which it is none
+    DoubleMat4 world_from_light{1};  // it shines along -z
+    ModelPart part;
+
+    friend bool operator==(const ModelLight&, const ModelLight&) = default;
+};
+
 /// What a model file holds. Ids count from 1 within each list; every thing has its ModelPart::path,
 /// which is the same however often the file is read, and differs between things of a list.
 struct ModelContent {
@@ -20,6 +36,7 @@ struct ModelContent {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Camera> cameras;
+    std::vector<ModelLight> lights;
     std::vector<std::string> unsupported;  // what was left out, a sentence each
 };
 
