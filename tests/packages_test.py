@@ -17,6 +17,7 @@ LIBRARIES = {
     "nlohmann_json": ("nlohmann-json3-dev", "nlohmann/json"),
     "CLI11": ("libcli11-dev", "CLI11"),
     "OpenEXR": ("libopenexr-dev", "OpenEXR"),
+    "meshoptimizer": ("libmeshoptimizer-dev", "meshoptimizer"),
     "TinyGLTF": ("libtinygltf-dev", "tinygltf"),
     "tinyobjloader": ("libtinyobjloader-dev", "tinyobjloader"),
     "doctest": ("doctest-dev", "doctest"),
@@ -37,7 +38,7 @@ WHEELS = {
 INCLUDES = {"teapath", "glm", "stb", "spdlog", "fmt", "nlohmann", "CLI", "doctest", "cub", "thrust", "cuda", "GLFW",
             "glad", "GL"}
 INCLUDE_FILES = re.compile(r"(Imf|Imath|Iex|Ilm|half|OpenEXR|Openexr|imgui|ImGui|implot|icons_font|portable_file|"
-                           r"cuda|vector_types|math_constants|tiny_obj_loader\.h|tiny_gltf\.h)")
+                           r"cuda|vector_types|math_constants|tiny_obj_loader\.h|tiny_gltf\.h|meshoptimizer\.h)")
 SYSTEM_HEADERS = re.compile(r"(sys/|unistd\.h|fcntl\.h|signal\.h|io\.h|termios\.h|dlfcn\.h|pthread\.h|stdio\.h|errno\.h|sched\.h|spawn\.h|stdlib\.h)")
 # Written in pieces, so that this file may be looked at as well.
 SERVERS = [r"deb\.%s\.org" % "debian", r"archive\.%s\.com" % "ubuntu", r"snapshot\.%s" % "debian",

@@ -10,6 +10,7 @@ find_package(CLI11 REQUIRED)
 find_package(OpenEXR CONFIG REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(TinyGLTF REQUIRED)
+find_package(meshoptimizer REQUIRED)
 
 # stb: headers only, each implementation compiled once, in io.
 find_path(STB_INCLUDE_DIR stb/stb_image.h REQUIRED)

@@ -11,7 +11,8 @@
 namespace tp {
 namespace {
 
-constexpr std::array<std::string_view, 17> kSupported = {
+constexpr std::array<std::string_view, 18> kSupported = {
+    "EXT_meshopt_compression",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

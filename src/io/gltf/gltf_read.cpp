@@ -7,6 +7,7 @@
 #include "gltf_lights.h"
 #include "gltf_materials.h"
 #include "gltf_mesh.h"
+#include "gltf_meshopt.h"
 #include "gltf_nodes.h"
 
 #include <teapath/core/error.h>
@@ -31,6 +32,7 @@ public:
 
     ModelContent read() {
         content_.unsupported = check_extensions(document_);
+        decode_meshopt_views(document_);
         nodes_ = nodes_of_scene(document_);
         collect_primitives();
         read_meshes();
