@@ -42,6 +42,8 @@ public:
         place_objects();
         add_cameras(document_, nodes_, content_);
         add_lights(document_, nodes_, content_);
+        if (content_.objects.empty())
+            content_.unsupported.push_back("The scene of the file has no triangles.");
         say_what_stands_still();
         return std::move(content_);
     }

@@ -105,7 +105,7 @@ std::vector<Mesh> meshes_of(const ObjText& text) {
 }
 
 Mesh read_obj(std::string_view bytes, const std::string& name) {
-    const ObjText text = parse_obj(bytes, name, nullptr, {});
+    const ObjText text = parse_obj(bytes, name, {});
     std::vector<const ObjPart*> parts;
     for (const ObjPart& part : text.parts)
         parts.push_back(&part);

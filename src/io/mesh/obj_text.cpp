@@ -81,7 +81,7 @@ public:
 
 private:
     void tick() {
-        if (tick_ && ++ticks_ % 65536 == 0) tick_();
+        if (tick_ && ++ticks_ % kObjTick == 0) tick_();
     }
 
     void check_count(size_t count, const char* what) const {
@@ -187,6 +187,20 @@ std::vector<Float4> colors_of(std::string_view bytes, size_t count) {
     return colors;
 }
 
+std::vector<std::string> libraries_of(std::string_view bytes) {
+    constexpr std::string_view command = "mtllib";
+    std::vector<std::string> libraries;
+    for (size_t at = bytes.find(command); at != bytes.npos; at = bytes.find(command, at + 1)) {
+        const size_t start = at + command.size();
+        if ((at > 0 && bytes[at - 1] != '\n') || start >= bytes.size() ||
+            (bytes[start] != ' ' && bytes[start] != '\t'))
+            continue;
+        const std::string_view rest = bytes.substr(start);
+        libraries.emplace_back(trimmed(rest.substr(0, rest.find_first_of("\r\n"))));
+    }
+    return libraries;
+}
+
 // A backslash at its end continues a line, which the library does not know.
 std::string joined_lines(std::string_view bytes) {
     std::string text;
@@ -208,7 +222,7 @@ std::string joined_lines(std::string_view bytes) {
 }  // namespace
 
 ObjText parse_obj(std::string_view bytes, const std::string& name,
-                  tinyobj::MaterialReader* materials, const std::function<void()>& tick) {
+                  const std::function<void()>& tick) {
     std::string joined;
     if (bytes.find("\\\n") != std::string_view::npos ||
         bytes.find("\\\r\n") != std::string_view::npos)
@@ -216,10 +230,11 @@ ObjText parse_obj(std::string_view bytes, const std::string& name,
     Builder building(name, tick);
     MemoryBuffer buffer(bytes);
     std::istream stream(&buffer);
-    tinyobj::LoadObjWithCallback(stream, callbacks(), &building, materials, nullptr, nullptr);
+    tinyobj::LoadObjWithCallback(stream, callbacks(), &building, nullptr, nullptr, nullptr);
 
     ObjText text = std::move(building.text);
     text.colors = colors_of(bytes, text.positions.size());
+    text.libraries = libraries_of(bytes);
     for_lines(bytes, "lp", [&](std::string_view) { return ++text.lines_and_points > 0; });
     return text;
 }

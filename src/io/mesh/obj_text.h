@@ -9,10 +9,6 @@
 #include <string_view>
 #include <vector>
 
-namespace tinyobj {
-class MaterialReader;
-}
-
 namespace tp {
 
 inline constexpr uint32_t kNoIndex = ~uint32_t{0};
@@ -32,16 +28,19 @@ struct ObjPart {
 
 struct ObjText {
     std::vector<Float3> positions, normals;
-    std::vector<Float2> uvs;      // v = 0 on top
-    std::vector<Float4> colors;   // of the positions, linear; empty if any has none
-    std::vector<ObjPart> parts;   // in the order of their first face
-    size_t lines_and_points = 0;  // commands l and p, which are left out
+    std::vector<Float2> uvs;             // v = 0 on top
+    std::vector<Float4> colors;          // of the positions, linear; empty if any has none
+    std::vector<ObjPart> parts;          // in the order of their first face
+    size_t lines_and_points = 0;         // commands l and p, which are left out
+    std::vector<std::string> libraries;  // what stands behind each mtllib
 };
 
-/// `tick` (or none) is called every now and then, and may throw; `materials` reads what mtllib
-/// names, or is null. Throws Error(Input) with the number of the face.
+/// `tick` (or none) is called for every kObjTick vertices and faces, and may throw. Throws
+/// Error(Input) with the number of the face.
 ObjText parse_obj(std::string_view bytes, const std::string& name,
-                  tinyobj::MaterialReader* materials, const std::function<void()>& tick);
+                  const std::function<void()>& tick);
+
+inline constexpr uint64_t kObjTick = 65536;
 
 /// The mesh of each part, not finished (see finish_mesh): equal corners are one vertex.
 std::vector<Mesh> meshes_of(const ObjText& text);

@@ -1,6 +1,7 @@
 #include "../file_extension.h"
 #include "../gltf/gltf_read.h"
 #include "../mesh/mesh_readers.h"
+#include "../obj/obj_model.h"
 #include "../whole_file.h"
 #include "model_progress.h"
 #include "unique_names.h"
@@ -59,11 +60,11 @@ ModelContent read_model(const fs::path& file, const ModelReadOptions& options) {
     const std::string extension = lower_extension(file);
     std::string bytes = read_whole_file(file, kKinds, kMaxFileBytes);
     if (extension == ".gltf" || extension == ".glb") return read_gltf(std::move(bytes), source);
-    ModelProgress(source).begin(1, 1);
-    return content_of(extension == ".ply"   ? read_ply(bytes, source.name)
-                      : extension == ".stl" ? read_stl(bytes, source.name)
-                                            : read_obj(bytes, source.name),
-                      file);
+    if (extension == ".obj") return read_obj_model(bytes, source);
+    ModelProgress progress(source);
+    progress.begin(1, 1);
+    return content_of(
+        extension == ".ply" ? read_ply(bytes, source.name) : read_stl(bytes, source.name), file);
 }
 
 }  // namespace tp

@@ -5,6 +5,7 @@
 
 #include <teapath/core/error.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace tp {
@@ -23,7 +24,7 @@ public:
     }
     void step() {
         const std::lock_guard lock(mutex_);
-        at_ += step_;
+        at_ = std::min(at_ + step_, end_);  // the number of steps may be a guess
         tell();
     }
 
