@@ -18,6 +18,8 @@ LIBRARIES = {
     "CLI11": ("libcli11-dev", "CLI11"),
     "OpenEXR": ("libopenexr-dev", "OpenEXR"),
     "meshoptimizer": ("libmeshoptimizer-dev", "meshoptimizer"),
+    "draco": ("libdraco-dev", "Draco"),
+    "webp": ("libwebp-dev", "libwebp"),
     "TinyGLTF": ("libtinygltf-dev", "tinygltf"),
     "tinyobjloader": ("libtinyobjloader-dev", "tinyobjloader"),
     "doctest": ("doctest-dev", "doctest"),
@@ -36,7 +38,7 @@ WHEELS = {
 }
 # First folder or name of an #include <…> with an extension or a folder, beside the standard library's.
 INCLUDES = {"teapath", "glm", "stb", "spdlog", "fmt", "nlohmann", "CLI", "doctest", "cub", "thrust", "cuda", "GLFW",
-            "glad", "GL"}
+            "glad", "GL", "draco", "webp"}
 INCLUDE_FILES = re.compile(r"(Imf|Imath|Iex|Ilm|half|OpenEXR|Openexr|imgui|ImGui|implot|icons_font|portable_file|"
                            r"cuda|vector_types|math_constants|tiny_obj_loader\.h|tiny_gltf\.h|meshoptimizer\.h)")
 SYSTEM_HEADERS = re.compile(r"(sys/|unistd\.h|fcntl\.h|signal\.h|io\.h|termios\.h|dlfcn\.h|pthread\.h|stdio\.h|errno\.h|sched\.h|spawn\.h|stdlib\.h)")

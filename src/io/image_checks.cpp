@@ -1,5 +1,9 @@
 #include "image_checks.h"
 
+#include <teapath/core/error.h>
+
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <cstdint>
 
@@ -31,6 +35,14 @@ bool are_sound_tables(std::string_view bytes, size_t& at) {
 }
 
 }  // namespace
+
+void check_pixels(int width, int height, const std::string& name) {
+    constexpr int64_t kMaxPixels = int64_t{1} << 28;
+    if (int64_t{width} * height > kMaxPixels)
+        throw Error(ErrorKind::Input,
+                    fmt::format("the image has {} x {} pixels, which is too many", width, height),
+                    name, "at most 268,435,456");
+}
 
 bool has_whole_runs(std::string_view hdr, int width, int height) {
     if (width < 8 || width >= 32768) return true;  // never coded in runs

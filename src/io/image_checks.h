@@ -1,10 +1,14 @@
-// What stb's decoders do not check themselves: damaged files that would crash them or keep them
-// turning for ever.
+// Checks before an image is decoded: its size, and what stb's decoders do not check themselves:
+// damaged files that would crash them or keep them turning for ever.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace tp {
+
+/// Throws Error(Input) for more than 2^28 pixels. `name` stands for the file.
+void check_pixels(int width, int height, const std::string& name);
 
 /// True unless the run-length coding of a Radiance file of that size is broken or cut short: stb
 /// would turn for ever on a run of no pixels, which is also what it reads behind the end.

@@ -1,5 +1,6 @@
 #include "exr_file.h"
 #include "image_checks.h"
+#include "webp_file.h"
 #include "whole_file.h"
 
 #include <teapath/core/error.h>
@@ -17,7 +18,6 @@ namespace tp {
 namespace {
 
 constexpr uintmax_t kMaxFileBytes = INT_MAX;
-constexpr int64_t kMaxPixels = int64_t{1} << 28;
 
 struct StbFree {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
@@ -30,11 +30,8 @@ Image read_stb(const std::string& bytes, const std::string& file) {
     int width = 0, height = 0, channels = 0;
     if (!stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 || height < 1)
         throw Error(ErrorKind::Input, "this is not an image that can be read", file,
-                    "known: JPEG, PNG, TGA, BMP, PSD, GIF, HDR, PIC, PNM, EXR");
-    if (int64_t{width} * height > kMaxPixels)
-        throw Error(ErrorKind::Input,
-                    fmt::format("the image has {} x {} pixels, which is too many", width, height),
-                    file, "at most 268,435,456");
+                    "known: JPEG, PNG, WebP, TGA, BMP, PSD, GIF, HDR, PIC, PNM, EXR");
+    check_pixels(width, height, file);
 
     const bool is_hdr = stbi_is_hdr_from_memory(data, size) != 0;
     if ((is_hdr && !has_whole_runs(bytes, width, height)) || !has_sound_huffman_tables(bytes))
@@ -75,6 +72,7 @@ Image read_stb(const std::string& bytes, const std::string& file) {
 Image read_image_from_memory(const std::string& bytes, const std::string& name) {
     if (bytes.size() > kMaxFileBytes)
         throw Error(ErrorKind::Input, "the image is larger than 2 GiB", name, "make it smaller");
+    if (is_webp(bytes)) return read_webp(bytes, name);
     if (!is_exr(bytes)) return read_stb(bytes, name);
     try {
         return read_exr(bytes);

@@ -11,7 +11,7 @@
 
 namespace tp {
 
-/// Reads JPEG, PNG, TGA, BMP, PSD, GIF, HDR, PIC, PNM, EXR with the bit depth of the file.
+/// Reads JPEG, PNG, WebP, TGA, BMP, PSD, GIF, HDR, PIC, PNM, EXR with the bit depth of the file.
 /// Throws Error(Input).
 Image read_image(const std::filesystem::path& file);
 

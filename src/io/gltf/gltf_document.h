@@ -4,8 +4,7 @@
 #pragma once
 
 #include "../model/model_source.h"
-
-#include <tiny_gltf.h>
+#include "tinygltf.h"
 
 #include <memory>
 #include <string>

@@ -11,8 +11,11 @@
 namespace tp {
 namespace {
 
-constexpr std::array<std::string_view, 18> kSupported = {
+constexpr std::array<std::string_view, 21> kSupported = {
+    "EXT_mesh_gpu_instancing",
     "EXT_meshopt_compression",
+    "EXT_texture_webp",
+    "KHR_draco_mesh_compression",
     "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",

@@ -1,11 +1,14 @@
 #include "gltf_mesh.h"
 
 #include "gltf_accessor.h"
+#include "gltf_draco.h"
 
 #include <teapath/core/error.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace tp {
@@ -22,27 +25,30 @@ public:
                     const std::string& where)
         : document_(document), primitive_(primitive), where_(where) {}
 
-    Mesh read() {
+    Mesh read(SkinWeights* skin) {
         const int positions = attribute_of(primitive_, "POSITION");
         if (positions < 0) fail("the primitive has no positions");
-        mesh_.positions = read_vectors<Float3>(document_, positions, where_);
+        if (is_draco(primitive_)) draco_.emplace(document_, primitive_, where_);
+        mesh_.positions = vectors<Float3>("POSITION", positions);
         if (const int normals = attribute_of(primitive_, "NORMAL"); normals >= 0)
-            mesh_.normals = attribute<Float3>(normals, "normals");
+            mesh_.normals = attribute<Float3>("NORMAL", normals, "normals");
         if (const int tangents = attribute_of(primitive_, "TANGENT"); tangents >= 0)
-            mesh_.tangents = attribute<Float4>(tangents, "tangents");
+            mesh_.tangents = attribute<Float4>("TANGENT", tangents, "tangents");
         for (int set = 0; set < kMostUvSets; ++set) {
-            const int uvs = attribute_of(primitive_, fmt::format("TEXCOORD_{}", set));
+            const std::string name = fmt::format("TEXCOORD_{}", set);
+            const int uvs = attribute_of(primitive_, name);
             if (uvs < 0) break;
-            mesh_.uvs.push_back(attribute<Float2>(uvs, "texture coordinates"));
+            mesh_.uvs.push_back(attribute<Float2>(name, uvs, "texture coordinates"));
         }
         if (const int colors = attribute_of(primitive_, "COLOR_0"); colors >= 0)
             read_colors(colors);
         read_triangles();
+        if (skin) read_skin(*skin);
         return std::move(mesh_);
     }
 
 private:
-    static constexpr int kMostUvSets = 8;
+    static constexpr int kMostUvSets = 8, kMostSkinSets = 4;
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(ErrorKind::Input, what, where_, "export the model again");
@@ -54,25 +60,51 @@ private:
     }
 
     template <class Vector>
-    std::vector<Vector> attribute(int accessor, const char* what) const {
+    std::vector<Vector> attribute(const std::string& name, int accessor, const char* what) const {
         check_count(checked_accessor(document_, accessor, where_).count, what);
-        return read_vectors<Vector>(document_, accessor, where_);
+        return vectors<Vector>(name, accessor);
+    }
+
+    // From the compressed data, if it is among them.
+    template <class Vector>
+    std::vector<Vector> vectors(const std::string& name, int accessor) const {
+        if (!draco_ || !draco_->has(name)) return read_vectors<Vector>(document_, accessor, where_);
+        const tinygltf::Accessor& a = checked_accessor(document_, accessor, where_);
+        if (components_of(a) != Vector::length())
+            fail(fmt::format("{} has not {} numbers for each vertex", name, Vector::length()));
+        const std::vector<float> numbers = draco_->numbers_of(name, a);
+        std::vector<Vector> read(a.count);
+        std::copy(numbers.begin(), numbers.end(), reinterpret_cast<float*>(read.data()));
+        return read;
     }
 
     void read_colors(int accessor) {
         if (components_of(checked_accessor(document_, accessor, where_)) == 4) {
-            mesh_.colors = attribute<Float4>(accessor, "colours");
+            mesh_.colors = attribute<Float4>("COLOR_0", accessor, "colours");
             return;
         }
-        const std::vector<Float3> colors = attribute<Float3>(accessor, "colours");
+        const std::vector<Float3> colors = attribute<Float3>("COLOR_0", accessor, "colours");
         mesh_.colors.reserve(colors.size());
         for (const Float3& color : colors)
             mesh_.colors.emplace_back(color, 1);
     }
 
+    void read_skin(SkinWeights& skin) const {
+        for (int set = 0; set < kMostSkinSets; ++set) {
+            const std::string joints = fmt::format("JOINTS_{}", set);
+            const std::string weights = fmt::format("WEIGHTS_{}", set);
+            const int j = attribute_of(primitive_, joints), w = attribute_of(primitive_, weights);
+            if (j < 0 || w < 0) return;
+            skin.joints.push_back(attribute<Float4>(joints, j, "joints"));
+            skin.weights.push_back(attribute<Float4>(weights, w, "weights"));
+        }
+    }
+
     void read_triangles() {
         std::vector<uint32_t> corners;
-        if (primitive_.indices >= 0) {
+        if (draco_) {
+            corners = draco_->indices();
+        } else if (primitive_.indices >= 0) {
             corners = read_indices(document_, primitive_.indices, where_);
         } else {
             corners.resize(mesh_.positions.size());
@@ -99,14 +131,15 @@ private:
     const GltfDocument& document_;
     const tinygltf::Primitive& primitive_;
     const std::string& where_;
+    std::optional<DracoMesh> draco_;
     Mesh mesh_;
 };
 
 }  // namespace
 
 Mesh read_primitive(const GltfDocument& document, const tinygltf::Primitive& primitive,
-                    const std::string& where) {
-    return PrimitiveReader(document, primitive, where).read();
+                    const std::string& where, SkinWeights* skin) {
+    return PrimitiveReader(document, primitive, where).read(skin);
 }
 
 double bytes_of_primitive(const GltfDocument& document, const tinygltf::Primitive& primitive,

@@ -38,12 +38,9 @@ DoubleMat4 matrix_of(const tinygltf::Node& node) {
             m[c][3] = c == 3 ? 1 : 0;
         return m;
     }
-    const DoubleMat3 rotation = rotation_of(vector_of(node.rotation, Double4(0, 0, 0, 1)));
-    const Double3 scale = vector_of(node.scale, Double3(1));
-    for (int c = 0; c < 3; ++c)
-        m[c] = Double4(rotation[c] * scale[c], 0);
-    m[3] = Double4(vector_of(node.translation, Double3(0)), 1);
-    return m;
+    return placement_matrix(vector_of(node.translation, Double3(0)),
+                            vector_of(node.rotation, Double4(0, 0, 0, 1)),
+                            vector_of(node.scale, Double3(1)));
 }
 
 class Walker {
@@ -133,6 +130,15 @@ private:
 };
 
 }  // namespace
+
+DoubleMat4 placement_matrix(Double3 translation, Double4 rotation, Double3 scale) {
+    const DoubleMat3 turn = rotation_of(rotation);
+    DoubleMat4 m(1);
+    for (int c = 0; c < 3; ++c)
+        m[c] = Double4(turn[c] * scale[c], 0);
+    m[3] = Double4(translation, 1);
+    return m;
+}
 
 std::vector<GltfNode> nodes_of_scene(const GltfDocument& document) {
     return Walker(document).walk();

@@ -17,6 +17,9 @@ struct GltfNode {
     DoubleMat4 world;
 };
 
+/// Scale, then rotation (a quaternion x y z w of any length), then translation.
+DoubleMat4 placement_matrix(Double3 translation, Double4 rotation, Double3 scale);
+
 /// The nodes of the file's scene (the first one where it names none; all roots where there are no
 /// scenes), parents first. Throws Error(Input) if a node has two parents, is its own ancestor, does
 /// not exist, or lies deeper than 1000 levels.

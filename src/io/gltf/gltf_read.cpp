@@ -4,6 +4,7 @@
 #include "../model/split_transform.h"
 #include "gltf_document.h"
 #include "gltf_extensions.h"
+#include "gltf_instances.h"
 #include "gltf_lights.h"
 #include "gltf_materials.h"
 #include "gltf_mesh.h"
@@ -52,27 +53,31 @@ private:
     // The primitives of one mesh; null: without triangles.
     using MeshParts = std::vector<std::shared_ptr<const Mesh>>;
 
+    // One primitive to be read.
+    struct Job {
+        const MeshUse* use;
+        std::shared_ptr<const Mesh>* mesh;
+        size_t part;
+    };
+
     void collect_primitives() {
-        const auto& meshes = document_.model.meshes;
         double bytes = 0;
         for (const GltfNode& node : nodes_) {
-            const int mesh = document_.model.nodes[node.index].mesh;
-            if (mesh < 0) continue;
-            const auto index = static_cast<size_t>(mesh);
-            if (index >= meshes.size())
-                throw Error(ErrorKind::Input, fmt::format("there is no mesh {}", mesh),
-                            document_.place("nodes", node.index), "export the model again");
-            const auto [parts, is_new] = parts_.try_emplace(index);
+            if (document_.model.nodes[node.index].mesh < 0) continue;
+            const auto [entry, is_new] = parts_.try_emplace(use_of_mesh(document_, node.index));
+            uses_.emplace(node.index, &*entry);
             if (!is_new) continue;
-            const auto& primitives = meshes[index].primitives;
-            parts->second.resize(primitives.size());
+            const MeshUse& use = entry->first;
+            const auto& primitives = document_.model.meshes[use.mesh].primitives;
+            entry->second.resize(primitives.size());
+            if (use.skin >= 0 && !joints_.contains(use.skin)) find_joints(use.skin);
             for (size_t p = 0; p < primitives.size(); ++p) {
                 if (!has_triangles(primitives[p])) {
                     ++points_and_lines_;
                     continue;
                 }
-                bytes += bytes_of_primitive(document_, primitives[p], place_of(index, p));
-                jobs_.push_back({index, p});
+                bytes += bytes_of_primitive(document_, primitives[p], place_of(use.mesh, p));
+                jobs_.push_back({&use, &entry->second[p], p});
             }
         }
         check_memory(source_, bytes);
@@ -82,50 +87,79 @@ private:
                             points_and_lines_));
     }
 
+    void find_joints(int skin) {
+        const auto& joints = joints_[skin] = joint_matrices(document_, skin, nodes_);
+        if (joints.empty())
+            content_.unsupported.push_back(
+                fmt::format("Skin {} has no joints in the scene and is left out.", skin));
+    }
+
     void read_meshes() {
         progress_.begin(0.5, jobs_.size());
         shared_pool().for_each(static_cast<int64_t>(jobs_.size()), [&](int64_t i) {
-            const auto& [mesh, part] = jobs_[static_cast<size_t>(i)];
-            const std::string where = place_of(mesh, part);
-            Mesh read =
-                read_primitive(document_, document_.model.meshes[mesh].primitives[part], where);
-            if (!read.triangles.empty())
-                parts_.at(mesh)[part] = share(finish_mesh(std::move(read), where));
+            const Job& job = jobs_[static_cast<size_t>(i)];
+            const std::string where = place_of(job.use->mesh, job.part);
+            Mesh mesh = read_job(job, where);
+            if (!mesh.triangles.empty()) *job.mesh = share(finish_mesh(std::move(mesh), where));
             progress_.step();
         });
+    }
+
+    Mesh read_job(const Job& job, const std::string& where) const {
+        const auto& primitive = document_.model.meshes[job.use->mesh].primitives[job.part];
+        SkinWeights skin;
+        Mesh mesh =
+            read_primitive(document_, primitive, where, is_skinned(*job.use) ? &skin : nullptr);
+        apply_morph(document_, primitive, job.use->weights, where, mesh);
+        if (is_skinned(*job.use)) apply_skin(skin, joints_.at(job.use->skin), where, mesh);
+        return mesh;
+    }
+
+    bool is_skinned(const MeshUse& use) const {
+        return use.skin >= 0 && !joints_.at(use.skin).empty();
     }
 
     void place_objects() {
         UniqueNames paths;
         size_t flat = 0;
         for (const GltfNode& node : nodes_) {
-            const int mesh = document_.model.nodes[node.index].mesh;
-            if (mesh < 0) continue;
-            const auto split = split_transform(node.world);
-            if (!split) {
-                ++flat;
-                continue;
+            const auto use = uses_.find(node.index);
+            if (use == uses_.end()) continue;
+            // A skin's joints say where it is, its node does not.
+            const std::vector<DoubleMat4> places = is_skinned(use->second->first)
+                                                       ? std::vector<DoubleMat4>{DoubleMat4(1)}
+                                                       : places_of(document_, node);
+            for (size_t i = 0; i < places.size(); ++i) {
+                const auto split = split_transform(places[i]);
+                const std::string instance =
+                    places.size() == 1 ? std::string() : fmt::format(":{}", i + 1);
+                if (split)
+                    place_mesh(node, instance, *use->second, *split, paths);
+                else
+                    ++flat;
             }
-            place_mesh(node, static_cast<size_t>(mesh), *split, paths);
         }
         if (flat > 0)
             content_.unsupported.push_back(
                 fmt::format("{} nodes are scaled to nothing and left out.", flat));
     }
 
-    void place_mesh(const GltfNode& node, size_t mesh, const SplitTransform& split,
+    void place_mesh(const GltfNode& node, const std::string& instance,
+                    const std::pair<const MeshUse, MeshParts>& use, const SplitTransform& split,
                     UniqueNames& paths) {
-        const MeshParts& parts = parts_.at(mesh);
+        const auto& [how, parts] = use;
+        const size_t mesh = how.mesh;
         for (size_t p = 0; p < parts.size(); ++p) {
             if (!parts[p]) continue;
             const bool is_alone = parts.size() == 1;
             Object object;
             object.id = ObjectId{static_cast<uint32_t>(content_.objects.size() + 1)};
-            object.name = is_alone ? node.name : fmt::format("{}.{}", node.name, p + 1);
-            object.part.path =
-                paths.add(is_alone ? node.path : fmt::format("{}.{}", node.path, p + 1));
+            const std::string ending =
+                instance + (is_alone ? std::string() : fmt::format(".{}", p + 1));
+            object.name = node.name + ending;
+            object.part.path = paths.add(node.path + ending);
             MeshShape shape;
-            shape.file = {fmt::format("{}#mesh/{}/{}", file_name(), mesh, p), parts[p]};
+            shape.file = {mesh_path(how, node, p), parts[p]};
             shape.placement = split.placement;
             object.shape = std::move(shape);
             object.transform = split.transform;
@@ -147,19 +181,15 @@ private:
     void say_what_stands_still() {
         if (document_.animations > 0)
             content_.unsupported.push_back("Animations are left out; the model stands as it is.");
-        if (!document_.model.skins.empty())
-            content_.unsupported.push_back("Skins are left out; bodies stand in their bind pose.");
-        for (const auto& mesh : document_.model.meshes)
-            for (const auto& primitive : mesh.primitives)
-                if (!primitive.targets.empty()) {
-                    content_.unsupported.push_back(
-                        "Morph targets are left out; shapes stand as they are.");
-                    return;
-                }
     }
 
     std::string place_of(size_t mesh, size_t part) const {
         return fmt::format("{}.primitives[{}]", document_.place("meshes", mesh), part);
+    }
+    std::string mesh_path(const MeshUse& use, const GltfNode& node, size_t part) const {
+        std::string path = fmt::format("{}#mesh/{}/{}", file_name(), use.mesh, part);
+        if (!use.weights.empty() || is_skinned(use)) path += fmt::format("/node/{}", node.index);
+        return path;
     }
     std::string file_name() const {
         return std::filesystem::path(source_.name).filename().string();
@@ -171,8 +201,10 @@ private:
     GltfTextures textures_;
     ModelProgress progress_;
     std::vector<GltfNode> nodes_;
-    std::map<size_t, MeshParts> parts_;
-    std::vector<std::pair<size_t, size_t>> jobs_;
+    std::map<MeshUse, MeshParts> parts_;
+    std::map<size_t, const std::pair<const MeshUse, MeshParts>*> uses_;  // by node
+    std::map<int, std::vector<DoubleMat4>> joints_;                      // by skin
+    std::vector<Job> jobs_;
     size_t points_and_lines_ = 0;
 };
 

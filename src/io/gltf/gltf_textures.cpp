@@ -94,7 +94,10 @@ TextureUse use_in(const tinygltf::Value& object, const char* key) {
     return use;
 }
 
+// A WebP image stands beside one for programs that cannot read it.
 int GltfTextures::image_of(const tinygltf::Texture& texture) const {
+    if (const auto* webp = find_extension(texture.extensions, "EXT_texture_webp"))
+        return index_in(*webp, "source", texture.source);
     return texture.source;
 }
 

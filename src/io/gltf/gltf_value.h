@@ -2,9 +2,9 @@
 // the given default.
 #pragma once
 
-#include <teapath/core/math.h>
+#include "tinygltf.h"
 
-#include <tiny_gltf.h>
+#include <teapath/core/math.h>
 
 #include <string>
 #include <vector>
