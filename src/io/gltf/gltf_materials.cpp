@@ -23,18 +23,21 @@ Double3 not_negative(Double3 c) {
 
 class MaterialReader {
 public:
-    MaterialReader(const tinygltf::Material& source, std::string where, GltfTextures& textures,
-                   ModelContent& content)
-        : source_(source), where_(std::move(where)), textures_(textures), content_(content) {}
+    MaterialReader(const tinygltf::Material& source, std::string name, std::string where,
+                   GltfTextures& textures, ModelContent& content)
+        : source_(source), where_(std::move(where)), textures_(textures), content_(content) {
+        m_.name = m_.part.path = std::move(name);
+    }
 
     Material read() {
         m_.kind = MaterialKind::Principled;
-        read_metallic_roughness();
         read_alpha();
-        read_normal();
-        read_emission();
         if (const auto* e = extension("KHR_materials_pbrSpecularGlossiness"))
             read_specular_glossiness(*e);
+        else
+            read_metallic_roughness();
+        read_normal();
+        read_emission();
         if (const auto* e = extension("KHR_materials_ior")) read_ior(*e);
         if (const auto* e = extension("KHR_materials_specular")) read_specular(*e);
         read_transmission();
@@ -75,7 +78,7 @@ private:
         base_ = use_of(pbr.baseColorTexture);
         base_factor_ = Double3(factor);
         m_.color = color(base_factor_, base_);
-        m_.opacity = share(factor.w);
+        if (m_.alpha != AlphaMode::Opaque) m_.opacity = share(factor.w);
         const TextureUse both = use_of(pbr.metallicRoughnessTexture);
         m_.surface.metallic = number(share(pbr.metallicFactor), both, 2);
         m_.surface.roughness = number(share(pbr.roughnessFactor), both, 1);
@@ -86,7 +89,6 @@ private:
                    : source_.alphaMode == "MASK" ? AlphaMode::Mask
                                                  : AlphaMode::Opaque;
         m_.alpha_cutoff = std::max(source_.alphaCutoff, 0.0);
-        if (m_.alpha == AlphaMode::Opaque) m_.opacity = 1;
         if (source_.doubleSided) m_.side = EmissionSide::Both;
     }
 
@@ -188,7 +190,7 @@ private:
             content_.unsupported.push_back(fmt::format(
                 "Material \"{}\": of its anisotropy texture the strength is taken, not the "
                 "direction.",
-                source_.name));
+                m_.name));
     }
 
     void read_iridescence(const tinygltf::Value& e) {
@@ -211,8 +213,8 @@ private:
         m_.surface = PrincipledSurface{};
         m_.surface.specular.value = 0;
         m_.surface.roughness.value = 1;
-        content_.unsupported.push_back(fmt::format(
-            "Material \"{}\" is unlit: it becomes a light of its colour.", source_.name));
+        content_.unsupported.push_back(
+            fmt::format("Material \"{}\" is unlit: it becomes a light of its colour.", m_.name));
     }
 
     const tinygltf::Material& source_;
@@ -231,12 +233,12 @@ void add_materials(const GltfDocument& document, GltfTextures& textures, ModelCo
     UniqueNames paths;
     const auto& materials = document.model.materials;
     for (size_t i = 0; i < materials.size(); ++i) {
-        Material m =
-            MaterialReader(materials[i], document.place("materials", i), textures, content).read();
         const std::string name =
             materials[i].name.empty() ? fmt::format("material {}", i) : materials[i].name;
+        Material m = MaterialReader(materials[i], paths.add(path_piece(name)),
+                                    document.place("materials", i), textures, content)
+                         .read();
         m.id = MaterialId{static_cast<uint32_t>(i + 1)};
-        m.name = m.part.path = paths.add(path_piece(name));
         content.materials.push_back(std::move(m));
     }
 }
