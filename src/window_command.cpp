@@ -2,6 +2,7 @@
 
 #include <teapath/app/app.h>
 #include <teapath/core/error.h>
+#include <teapath/io/model_file.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -19,12 +20,13 @@ std::optional<int> run_window_command(int argc, char** argv) {
         std::fputs(keys_page().c_str(), stdout);
         return 0;
     }
-    const bool names_scene = argc > 1 && std::filesystem::path(argv[1]).extension() == ".json";
+    const bool names_scene = argc > 1 && (std::filesystem::path(argv[1]).extension() == ".json" ||
+                                          can_read_model(argv[1]));
     if (argc > 1 && !names_scene) return std::nullopt;
     AppOptions options;
     CLI::App parser("Opens a scene in the window.", "teapath");
     std::string size;
-    parser.add_option("scene", options.scene, "The scene file to open");
+    parser.add_option("scene", options.scene, "The scene or model file to open");
     parser.add_option("--backend", options.backend, "auto, cuda or host")
         ->check(CLI::IsMember({"auto", "cuda", "host"}));
     parser.add_option("--device", options.device, "CUDA device number");

@@ -73,9 +73,9 @@ TEST_CASE("gltf materials: factors, textures with their channels, samplers and t
     REQUIRE(base.file.image);
     CHECK(base.file.image->width == 2);
     CHECK(m.surface.metallic.value == 0.5);
-    CHECK(m.surface.metallic.channel == 2);
+    CHECK(m.surface.metallic.channel == TextureChannel::Blue);
     CHECK(m.surface.roughness.value == 0.75);
-    CHECK(m.surface.roughness.channel == 1);
+    CHECK(m.surface.roughness.channel == TextureChannel::Green);
     CHECK(m.surface.roughness.texture == m.surface.metallic.texture);
     const Texture& rough = texture_of(content, m.surface.roughness.texture);
     CHECK(rough.uv_set == 1);

@@ -160,6 +160,14 @@ TEST_CASE("scene errors: types") {
                  {"background.color: expected a colour, found true or false", "#rrggbb"});
     refused_material(R"({"type": "metal", "color": "#12345g"})",
                      {"materials.paint.color: expected a colour, found \"#12345g\""});
+    refused_material(R"({"type": "principled", "metallic": "wood"})",
+                     {"materials.paint.metallic: expected a number, found a string"});
+    refused_material(R"({"type": "principled", "coat": {"value": 1}})",
+                     {"materials.paint.coat: the key \"texture\" is missing"});
+    refused_material(R"({"type": "principled", "coat": {"texture": "wood"}})",
+                     {"materials.paint.coat.texture: unknown texture \"wood\""});
+    refused_material(R"({"type": "principled", "normal": 1})",
+                     {"materials.paint.normal: expected a texture or the name of one"});
     refused_object(R"("material": 3)", {"objects[0].material: expected a material or the name"});
 }
 

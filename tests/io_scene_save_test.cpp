@@ -119,7 +119,35 @@ private:
         t.cells = {number(), 3};
         t.file.path = below(2) ? "image.png" : "";
         t.wrap = kind<WrapMode>();
+        t.wrap_v = kind<WrapModeV>();
+        t.uv_set = static_cast<int>(below(2));
+        t.uv_rotation = number();
+        t.uv_offset = {number(), 0};
+        t.tint = color();
         return t;
+    }
+    TexturedNumber textured(const Scene& s, TexturedNumber standard) {
+        if (below(2)) standard = {0.25 * below(5), any_id(s.textures), kind<TextureChannel>()};
+        // A channel without a texture is not written.
+        if (!standard.texture) standard.channel = TextureChannel::Red;
+        return standard;
+    }
+    PrincipledSurface surface(const Scene& s) {
+        PrincipledSurface p;
+        for (TexturedNumber* n :
+             {&p.metallic, &p.roughness, &p.specular, &p.anisotropy, &p.transmission,
+              &p.diffuse_transmission, &p.coat, &p.coat_roughness, &p.sheen_roughness})
+            *n = textured(s, *n);
+        for (TexturedColor* c : {&p.specular_color, &p.diffuse_transmission_color, &p.sheen_color})
+            *c = {color(), any_id(s.textures)};
+        p.anisotropy_rotation = number();
+        p.thin = below(2);
+        p.attenuation_color = color();
+        p.attenuation_distance = std::abs(number());
+        p.normal = any_id(s.textures);
+        p.normal_scale = number();
+        p.compensation = below(2);
+        return p;
     }
     Material material(MaterialId id, const Scene& s) {
         Material m;
@@ -133,7 +161,16 @@ private:
         m.strength = std::abs(number());
         m.side = kind<EmissionSide>();
         m.fresnel = kind<FresnelRule>();
+        m.alpha = kind<AlphaMode>();
+        m.alpha_cutoff = 0.25 * below(5);
         m.opacity = 0.5 * below(3);
+        m.ior = 1 + below(3);
+        m.surface = surface(s);
+        m.metal = kind<ConductorMetal>();
+        m.eta = Double3(0.5, 1, 1 + below(5));
+        m.k = Double3(0, below(5), 3.25);
+        m.roughness = textured(s, m.roughness);
+        m.masking = kind<MaskingRule>();
         return m;
     }
     Object object(ObjectId id, const Scene& s) {
@@ -171,7 +208,10 @@ void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
     REQUIRE(tx->kind == ty->kind);
     if (tx->kind == TextureKind::Constant) CHECK(tx->color == ty->color);
     if (tx->kind == TextureKind::Image)
-        CHECK((tx->file == ty->file && tx->wrap == ty->wrap && tx->repeat == ty->repeat));
+        CHECK((tx->file == ty->file && tx->wrap == ty->wrap && tx->repeat == ty->repeat &&
+               tx->wrap_v == ty->wrap_v && tx->uv_set == ty->uv_set &&
+               tx->uv_rotation == ty->uv_rotation && tx->uv_offset == ty->uv_offset &&
+               tx->tint == ty->tint));
     if (tx->kind == TextureKind::Checker) {
         CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
         check_same_color(a, tx->even, b, ty->even);
@@ -179,12 +219,53 @@ void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
     }
 }
 
+void check_same_texture(const Scene& a, TextureId x, const Scene& b, TextureId y) {
+    check_same_color(a, {{0, 0, 0}, x}, b, {{0, 0, 0}, y});
+}
+
+void check_same_number(const Scene& a, const TexturedNumber& x, const Scene& b,
+                       const TexturedNumber& y) {
+    CHECK(x.value == y.value);
+    if (x.texture) CHECK(x.channel == y.channel);
+    check_same_texture(a, x.texture, b, y.texture);
+}
+
+void check_same_surface(const Scene& a, const PrincipledSurface& x, const Scene& b,
+                        const PrincipledSurface& y) {
+    check_same_number(a, x.metallic, b, y.metallic);
+    check_same_number(a, x.roughness, b, y.roughness);
+    check_same_number(a, x.specular, b, y.specular);
+    check_same_color(a, x.specular_color, b, y.specular_color);
+    check_same_number(a, x.anisotropy, b, y.anisotropy);
+    check_same_number(a, x.transmission, b, y.transmission);
+    check_same_number(a, x.diffuse_transmission, b, y.diffuse_transmission);
+    check_same_color(a, x.diffuse_transmission_color, b, y.diffuse_transmission_color);
+    check_same_number(a, x.coat, b, y.coat);
+    check_same_number(a, x.coat_roughness, b, y.coat_roughness);
+    check_same_color(a, x.sheen_color, b, y.sheen_color);
+    check_same_number(a, x.sheen_roughness, b, y.sheen_roughness);
+    check_same_texture(a, x.normal, b, y.normal);
+    CHECK((x.anisotropy_rotation == y.anisotropy_rotation && x.thin == y.thin));
+    CHECK((x.attenuation_color == y.attenuation_color && x.normal_scale == y.normal_scale));
+    CHECK((x.attenuation_distance == y.attenuation_distance && x.compensation == y.compensation));
+}
+
 void check_same_material(const Scene& a, const Material& x, const Scene& b, const Material& y) {
     CHECK(x.kind == y.kind);
     const bool light = x.kind == MaterialKind::DiffuseLight;
     if (!light) check_same_color(a, x.color, b, y.color);
     if (x.kind == MaterialKind::Metal) CHECK(x.fuzz == y.fuzz);
+    if (x.kind == MaterialKind::Principled) {
+        CHECK(x.ior == y.ior);
+        check_same_surface(a, x.surface, b, y.surface);
+    }
+    if (x.kind == MaterialKind::Conductor) {
+        CHECK((x.metal == y.metal && x.eta == y.eta && x.k == y.k));
+        check_same_number(a, x.roughness, b, y.roughness);
+        CHECK((x.masking == y.masking && x.surface.compensation == y.surface.compensation));
+    }
     if (!light) CHECK(x.emits == y.emits);
+    CHECK((x.alpha == y.alpha && x.alpha_cutoff == y.alpha_cutoff));
     if (light || x.emits) check_same_color(a, x.emission, b, y.emission);
     CHECK((x.strength == y.strength && x.side == y.side && x.opacity == y.opacity));
 }

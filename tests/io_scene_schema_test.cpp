@@ -58,6 +58,9 @@ public:
     void operator()(const char* key, const TexturedColor& v) {
         refers(key, "textured", {v.color.x, v.color.y, v.color.z});
     }
+    void operator()(const char* key, const TexturedNumber& v) {
+        refers(key, "textured_number", v.value);
+    }
     void operator()(const char* key, MaterialId) { property(key); }
     template <class Enum>
     requires std::is_enum_v<Enum>
@@ -71,6 +74,9 @@ public:
     }
 
     void color(const char* key, const Double3& v) { refers(key, "color", {v.x, v.y, v.z}); }
+    void texture(const char* key, TextureId) {
+        CHECK(property(key).at("$ref") == "#/$defs/texture_slot");
+    }
     void image(const char* key, const ImageFile&) {
         CHECK(property(key).at("type") == "string");
         check_required(key);
@@ -101,6 +107,15 @@ public:
         CHECK(property(key).at("$ref") == "#/$defs/shape");
         check_required(key);
     }
+    void required(const char* key, const std::string&, const char*) {
+        CHECK(property(key).at("type") == "string");
+        check_required(key);
+    }
+    void models(const char* key, const Scene&) {
+        CHECK(property(key).at("items").at("$ref") == "#/$defs/model");
+    }
+    void changes(const char* key) { CHECK(property(key).at("type") == "object"); }
+    void model_changes() {}
     void cameras(const Scene&) {
         for (const char* key : {"camera", "cameras", "active_camera"})
             property(key);
@@ -176,9 +191,11 @@ TEST_CASE("schema: settings, cameras, objects, generators have the reader's keys
     Camera camera;
     Object object;
     Generator generator;
+    Model model;
     SchemaCheck top(schema()), cameras(definition("camera")), render(definition("render")),
         display(definition("display")), objects(definition("object")),
-        transform(definition("transform")), generators(definition("generator"));
+        transform(definition("transform")), generators(definition("generator")),
+        models(definition("model"));
     scene_fields(top, scene);
     camera_fields(cameras, camera);
     render_fields(render, scene.render);
@@ -186,6 +203,7 @@ TEST_CASE("schema: settings, cameras, objects, generators have the reader's keys
     object_fields(objects, object);
     transform_fields(transform, object.transform);
     generator_fields(generators, generator);
+    model_fields(models, model);
 }
 
 TEST_CASE("schema: every kind of background, texture, material and shape has the reader's keys") {
@@ -267,4 +285,9 @@ TEST_CASE("schema: refuses what the reader refuses") {
     accepted(R"({"teapath": 1, "render": {"width": 8.0, "seed": 18446744073709551615}})");
     accepted(R"({"teapath": 1, "background": {"type": "constant", "color": "#fff"}})");
     accepted(object(R"("shape": {"type": "sphere"}, "material": {"type": "metal", "color": 0.5})"));
+    accepted(R"({"teapath": 1, "textures": {"map": {"type": "image", "file": "a.png"}},
+                 "materials": {"a": {"type": "principled", "metallic": 1, "normal": "map",
+                               "roughness": {"texture": "map", "channel": "green"}}}})");
+    refused(R"({"teapath": 1, "materials": {"a": {"type": "principled", "metallic": 2}}})");
+    refused(R"({"teapath": 1, "materials": {"a": {"type": "principled", "metallic": {}}}})");
 }

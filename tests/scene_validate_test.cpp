@@ -151,6 +151,23 @@ TEST_CASE("validate: materials and textures") {
             s.materials.edit()[0].kind = MaterialKind::Dielectric;
             s.materials.edit()[0].ior = ior;
         });
+    const auto principled = [](Scene& s) -> Material& {
+        s.materials.edit()[0].kind = MaterialKind::Principled;
+        return s.materials.edit()[0];
+    };
+    for (const double share : {-0.1, 1.1, kNan}) {
+        check_fatal("materials.paint.metallic", "out of range",
+                    [=](Scene& s) { principled(s).surface.metallic.value = share; });
+        check_fatal("materials.paint.coat_roughness", "out of range",
+                    [=](Scene& s) { principled(s).surface.coat_roughness.value = share; });
+    }
+    check_fatal("materials.paint.ior", "out of range", [=](Scene& s) { principled(s).ior = 0.9; });
+    check_fatal("materials.paint.normal", "does not exist",
+                [=](Scene& s) { principled(s).surface.normal = {77}; });
+    check_fatal("materials.paint.sheen_color", "does not exist",
+                [=](Scene& s) { principled(s).surface.sheen_color.texture = {77}; });
+    check_fatal("materials.paint.attenuation_distance", "negative",
+                [=](Scene& s) { principled(s).surface.attenuation_distance = -1; });
     for (const double opacity : {-0.1, 1.1, kNan})
         check_fatal("materials.paint.opacity", "out of range",
                     [=](Scene& s) { s.materials.edit()[0].opacity = opacity; });

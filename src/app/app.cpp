@@ -24,6 +24,7 @@
 
 #include <teapath/core/error.h>
 #include <teapath/io/image_file.h>
+#include <teapath/io/model_file.h>
 #include <teapath/render/backend_names.h>
 
 namespace tp {
@@ -71,11 +72,11 @@ SessionOptions session_options(const AppOptions& options) {
 }
 
 // The document to begin with; its render starts before there is a window. A scene that cannot be
-// read is a message.
+// read is a message. Models take longer: they are opened by a job of the window.
 Document first_document(const AppOptions& options, RenderWorker& worker, UiState& ui) {
     Document document;
     try {
-        if (!options.scene.empty()) document.open(options.scene);
+        if (!options.scene.empty() && !can_read_model(options.scene)) document.open(options.scene);
     } catch (const std::exception& error) {
         show_unreadable(ui, options.scene, error.what());
     }
@@ -106,6 +107,7 @@ App::App(const AppOptions& options)
     ui.autosave.start(state_folder() / "autosave",
                       autosave_seconds ? std::atof(autosave_seconds) : 0);
     look_for_native_dialogs();
+    if (can_read_model(options.scene)) to_open_ = options.scene;
 }
 
 App::~App() {
@@ -164,6 +166,7 @@ void App::draw_frame(double wait_seconds) {
     show_newest_picture(context);
 
     // The interface, which may change the document.
+    if (!to_open_.empty()) open_scene(context, std::exchange(to_open_, {}));
     for (const std::filesystem::path& file : window.take_drops())
         drop_file(context, file);
     previews.begin_frame();

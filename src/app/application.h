@@ -47,6 +47,7 @@ private:
 
     std::filesystem::path preferences_file_;
     Preferences saved_preferences_;
+    std::filesystem::path to_open_;  // by the first frame
     std::string title_;
     ScenePtr posted_;  // what the renderer was given last
     bool was_changed_ = false;

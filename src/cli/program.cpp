@@ -8,6 +8,7 @@
 #include <teapath/core/error.h>
 #include <teapath/core/nearest_name.h>
 #include <teapath/io/image_file.h>
+#include <teapath/io/model_file.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -50,7 +51,7 @@ std::string did_you_mean(const std::string& wrong, const std::vector<std::string
 }
 
 [[noreturn]] void throw_unknown_command(const CLI::App& program, const std::string& word) {
-    if (std::filesystem::path(word).extension() == ".json") {
+    if (std::filesystem::path(word).extension() == ".json" || can_read_model(word)) {
         throw Error(ErrorKind::Usage, fmt::format("'{}' is not a command", word), "",
                     fmt::format("to render it: teapath render {} -o image.png", word));
     }

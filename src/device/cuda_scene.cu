@@ -1,6 +1,6 @@
-#include <teapath/core/color.h>
 #include <teapath/device/albedo_arrays.h>
 #include <teapath/device/cuda_scene.cuh>
+#include <teapath/device/srgb_table.h>
 
 #include <algorithm>
 #include <array>
@@ -20,13 +20,6 @@ struct Source {
 template <class T>
 Source source_of(const std::vector<T>& v, SceneParts parts) {
     return {v.data(), v.size() * sizeof(T), parts};
-}
-
-std::array<float, 256> make_srgb_table() {
-    std::array<float, 256> table;
-    for (size_t i = 0; i < table.size(); ++i)
-        table[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
-    return table;
 }
 
 template <class T>
@@ -59,15 +52,19 @@ void CudaScene::upload_meshes(const std::vector<MeshOfScene>& meshes, const Stre
 
 void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream& stream) {
     // Materials also renumber the lights, which hittables name.
-    static const std::array<float, 256> srgb_table = make_srgb_table();
     static const AlbedoArrays no_tables;
-    const AlbedoArrays& albedo = arrays.principled.empty() ? no_tables : albedo_arrays();
+    const AlbedoArrays& albedo = needs_albedo_tables(arrays) ? albedo_arrays() : no_tables;
+    static const EnvironmentArrays no_environment;
+    const EnvironmentArrays& environment =
+        arrays.environment ? *arrays.environment : no_environment;
+    const SceneParts environment_parts =
+        environment_ == arrays.environment ? SceneParts::None : SceneParts::All;
     const SceneParts either = SceneParts::Geometry | SceneParts::Materials;
     upload_meshes(arrays.meshes, stream);
     std::vector<MeshView> mesh_views;
     for (const CudaMesh& mesh : meshes_)
         mesh_views.push_back(mesh.view());
-    const std::array<Source, 15> sources = {
+    const std::array<Source, 17> sources = {
         source_of(arrays.hittables, either),
         source_of(arrays.nodes, SceneParts::Geometry),
         source_of(arrays.lights, either),
@@ -75,17 +72,19 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
         source_of(arrays.material_ids, SceneParts::Materials),
         source_of(arrays.textures, SceneParts::Materials),
         source_of(arrays.texels, SceneParts::Materials),
-        Source{srgb_table.data(), sizeof srgb_table, SceneParts::None},
+        Source{srgb_table().data(), sizeof srgb_table(), SceneParts::None},
         source_of(mesh_views, SceneParts::Geometry),
         source_of(arrays.instances, SceneParts::Geometry),
         source_of(arrays.principled, SceneParts::Materials),
         source_of(albedo.ggx, SceneParts::None),
         source_of(albedo.ggx_average, SceneParts::None),
         source_of(albedo.sheen, SceneParts::None),
-        source_of(albedo.glass, SceneParts::None)};
+        source_of(albedo.glass, SceneParts::None),
+        source_of(environment.rows, environment_parts),
+        source_of(environment.cells, environment_parts)};
 
     // Where each array goes; the allocation is made anew where the sizes have changed.
-    std::array<size_t, 15> offsets{};
+    std::array<size_t, 17> offsets{};
     std::vector<size_t> layout;
     size_t total = 0;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -122,6 +121,10 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
                            span_at(memory, offsets[12], albedo.ggx_average).data,
                            span_at(memory, offsets[13], albedo.sheen).data,
                            span_at(memory, offsets[14], albedo.glass).data};
+    environment_ = arrays.environment;
+    view_.environment = {span_at(memory, offsets[15], environment.rows),
+                         span_at(memory, offsets[16], environment.cells), environment.width,
+                         environment.height};
     view_.background = arrays.background;
     view_.bounds = arrays.bounds;
     view_.brute_force = arrays.brute_force;

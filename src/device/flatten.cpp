@@ -133,6 +133,7 @@ size_t SceneArrays::bytes() const {
     size_t sum = bytes_of(hittables) + bytes_of(nodes) + bytes_of(instances) + bytes_of(lights) +
                  bytes_of(materials) + bytes_of(principled) + bytes_of(material_ids) +
                  bytes_of(textures) + bytes_of(texels);
+    if (environment) sum += environment->bytes();
     for (const MeshOfScene& mesh : meshes)
         sum += mesh.arrays->bytes();
     return sum;

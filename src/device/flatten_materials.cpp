@@ -8,6 +8,11 @@
 namespace tp {
 namespace {
 
+bool is_srgb(const Image& image, ColorSpace space) {
+    return space == ColorSpace::Srgb ||
+           (space == ColorSpace::Auto && image.format != PixelFormat::F32);
+}
+
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
 
 // Builds the texture records, with each image's pixels packed once.
@@ -35,7 +40,7 @@ public:
     }
 
     NumberRef number_ref(const TexturedNumber& n) const {
-        return {static_cast<Real>(n.value), index_of(n.texture), n.channel};
+        return {static_cast<Real>(n.value), index_of(n.texture), static_cast<int>(n.channel)};
     }
 
     // A record for the background's image, or -1 if it is missing.
@@ -86,9 +91,7 @@ private:
         const int bytes = image.format == PixelFormat::U8    ? 1
                           : image.format == PixelFormat::U16 ? 2
                                                              : 4;
-        const bool srgb =
-            texture.color_space == ColorSpace::Srgb ||
-            (texture.color_space == ColorSpace::Auto && image.format != PixelFormat::F32);
+        const bool srgb = is_srgb(image, texture.color_space);
         const double angle = texture.uv_rotation * kRadiansPerDegree;
         const double cosine = std::cos(angle), sine = std::sin(angle);
         return {offset_of(image),
@@ -145,6 +148,16 @@ MaterialRecord record_of(const Material& m, const TexturePacker& textures) {
         record.emission = textures.color_ref(m.emission, m.strength);
         record.strength = static_cast<Real>(m.strength);
     }
+    if (m.kind == MaterialKind::Dielectric || m.kind == MaterialKind::Conductor) {
+        record.roughness = textures.number_ref(m.roughness);
+        record.correlated = m.masking == MaskingRule::Correlated;
+        record.compensation = m.surface.compensation;
+    }
+    if (m.kind == MaterialKind::Conductor) {
+        const ConductorIndex index = index_of(m);
+        record.eta_rgb = Vec3(index.eta);
+        record.k = Vec3(index.k);
+    }
     if (m.kind == MaterialKind::Metal) record.fuzz = static_cast<Real>(m.fuzz);
     if (m.kind == MaterialKind::Dielectric) record.eta = static_cast<Real>(m.ior / m.exterior_ior);
     record.alpha = m.alpha;
@@ -195,6 +208,18 @@ BackgroundRecord record_of(const Background& b, int32_t texture) {
     return record;
 }
 
+// True if the material is made of GGX facets, or may be.
+bool has_facets(const Material& m) {
+    return m.kind == MaterialKind::Conductor ||
+           (m.kind == MaterialKind::Dielectric && m.roughness.value > 0);
+}
+
+// The tables to aim at the background's light with, where it is an image.
+std::shared_ptr<const EnvironmentArrays> environment_of(const Background& b) {
+    if (b.kind != BackgroundKind::Image || !b.file.image) return nullptr;
+    return environment_of(b.file.image, is_srgb(*b.file.image, b.color_space));
+}
+
 // True if some mesh has vertices that let light through.
 bool has_vertex_alpha(const Scene& scene) {
     std::unordered_set<const Mesh*> seen;
@@ -232,11 +257,13 @@ void flatten_materials(const Scene& scene, SceneArrays& arrays) {
         }
         arrays.material_ids.push_back(m.id.value);
         const bool looks_at_alpha = m.alpha != AlphaMode::Opaque;
+        if (has_facets(m)) arrays.features |= kFeaturePrincipled;
         if (m.opacity < 1 || (looks_at_alpha && (vertex_alpha || textures.has_alpha(m.color))))
             arrays.features |= kFeatureOpacity;
     }
     if (!arrays.principled.empty()) arrays.features |= kFeaturePrincipled;
     arrays.background = record_of(scene.background, textures.pack_background(scene.background));
+    arrays.environment = environment_of(scene.background);
     if (!scene.textures.empty() || scene.background.kind == BackgroundKind::Image)
         arrays.features |= kFeatureTextures;
 }

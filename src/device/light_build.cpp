@@ -1,3 +1,5 @@
+#include "alias_table.h"
+
 #include <teapath/core/color.h>
 #include <teapath/device/light_build.h>
 #include <teapath/kernel/mesh/mesh_surface.h>
@@ -35,32 +37,16 @@ void add_mesh(const SceneArrays& arrays, size_t hittable, double power, Emitters
         emitters.add(hittable, t, power * static_cast<double>(area_of(instance, triangles[t])));
 }
 
-// Vose's construction: every column is filled up by one other.
-void fill_alias_table(std::vector<LightRecord>& lights, const std::vector<double>& probability) {
-    const size_t n = lights.size();
-    std::vector<double> level(n);
-    std::vector<uint32_t> low, high;
-    for (size_t i = 0; i < n; ++i) {
-        level[i] = probability[i] * static_cast<double>(n);
-        (level[i] < 1 ? low : high).push_back(static_cast<uint32_t>(i));
-    }
-    while (!low.empty() && !high.empty()) {
-        const uint32_t small = low.back(), large = high.back();
-        low.pop_back();
-        lights[small].alias_threshold = static_cast<Real>(level[small]);
-        lights[small].alias = large;
-        level[large] -= 1 - level[small];
-        if (level[large] < 1) {
-            high.pop_back();
-            low.push_back(large);
-        }
-    }
-    for (const auto* rest : {&low, &high}) {
-        for (const uint32_t i : *rest) {
-            lights[i].alias_threshold = 1;
-            lights[i].alias = i;
-        }
-    }
+// The environment comes last. Its power cannot be told from that of lights near by: beside others
+// it has half of the samples.
+void add_environment(SceneArrays& arrays, Emitters& emitters) {
+    arrays.background.light_probability = 0;
+    if (!arrays.environment || !(arrays.background.strength > 0)) return;
+    const double share = emitters.lights.empty() ? 1 : 0.5;
+    for (double& p : emitters.power)
+        p *= 1 - share;
+    emitters.add(kEnvironmentLight, 0, share);
+    arrays.background.light_probability = static_cast<Real>(share);
 }
 
 }  // namespace
@@ -84,11 +70,12 @@ void build_lights(SceneArrays& arrays) {
     for (const double p : power)
         total += p;
     const auto count = static_cast<double>(lights.size());
-    for (size_t i = 0; i < lights.size(); ++i) {
-        power[i] = total > 0 ? 0.9 * power[i] / total + 0.1 / count : 1 / count;
+    for (double& p : power)
+        p = total > 0 ? 0.9 * p / total + 0.1 / count : 1 / count;
+    add_environment(arrays, emitters);
+    for (size_t i = 0; i < lights.size(); ++i)
         lights[i].probability = static_cast<Real>(power[i]);
-    }
-    fill_alias_table(lights, power);
+    fill_alias_table(lights.data(), power);
     arrays.lights = std::move(lights);
 }
 

@@ -200,7 +200,7 @@ std::string Document::title() const {
 }
 
 void Document::open(const std::filesystem::path& file) {
-    adopt(load_scene(file), file);
+    adopt(load_scene(file), can_read_model(file) ? std::filesystem::path() : file);
 }
 
 void Document::adopt(Scene scene, const std::filesystem::path& file) {

@@ -1,4 +1,5 @@
 #include <teapath/editor/refusal.h>
+#include <teapath/scene/texture_uses.h>
 #include <teapath/scene/validate.h>
 
 namespace tp {
@@ -11,8 +12,9 @@ std::string first_fatal(const Scene& probe) {
     return {};
 }
 
-void forget_texture(TexturedColor& color) {
-    color.texture = {};
+// The textures are not in the probe.
+void forget_textures(auto& thing) {
+    for_each_slot(thing, [](const char*, auto& slot) { texture_in(slot) = {}; });
 }
 
 }  // namespace
@@ -30,8 +32,7 @@ std::string refusal(const std::vector<Material>& materials) {
     probe.materials = materials;
     for (Material& m : probe.materials.edit()) {
         m.name.clear();
-        forget_texture(m.color);
-        forget_texture(m.emission);
+        forget_textures(m);
     }
     return first_fatal(probe);
 }
@@ -41,8 +42,7 @@ std::string refusal(const std::vector<Texture>& textures) {
     probe.textures = textures;
     for (Texture& t : probe.textures.edit()) {
         t.name.clear();
-        forget_texture(t.even);
-        forget_texture(t.odd);
+        forget_textures(t);
     }
     return first_fatal(probe);
 }

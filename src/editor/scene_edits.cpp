@@ -90,6 +90,7 @@ std::vector<ObjectId> duplicate_objects(Scene& scene, const std::vector<ObjectId
         if (!wanted.count(scene.objects[i].id)) continue;
         Object copy = scene.objects[i];
         copy.id = id;
+        copy.part = {};
         if (names_anew && !copy.name.empty()) copy.name = free_name(scene.objects, copy.name);
         copy.transform.translation.x += extent_of(copy).radius * 1.2;
         made.push_back(copy.id);
@@ -107,6 +108,7 @@ void delete_objects(Scene& scene, const std::vector<ObjectId>& ids) {
 MaterialId add_material(Scene& scene, const Material& like) {
     Material material = like;
     material.id = next_id(scene.materials);
+    material.part = {};
     material.name = free_name(scene.materials, material.name.empty() ? "material" : material.name);
     scene.materials.edit().push_back(material);
     return material.id;
@@ -121,7 +123,8 @@ MaterialId add_material(Scene& scene, MaterialKind kind, MaterialId like) {
 Material new_material(MaterialKind kind) {
     Material material;
     material.kind = kind;
-    if (kind == MaterialKind::Dielectric) material.color.color = {1, 1, 1};
+    if (kind == MaterialKind::Dielectric || kind == MaterialKind::Conductor)
+        material.color.color = {1, 1, 1};
     if (kind == MaterialKind::DiffuseLight) material.strength = 3;
     return material;
 }

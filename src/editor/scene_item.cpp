@@ -1,7 +1,9 @@
 #include "scene_things.h"
 
+#include <teapath/editor/model_edits.h>
 #include <teapath/editor/scene_edits.h>
 #include <teapath/editor/scene_item.h>
+#include <teapath/scene/texture_uses.h>
 
 namespace tp {
 namespace {
@@ -14,6 +16,7 @@ auto with_things(AnyScene& scene, ItemKind kind, const F& f) {
         case ItemKind::Camera: return f(scene.cameras);
         case ItemKind::Material: return f(elements(scene.materials));
         case ItemKind::Texture: return f(elements(scene.textures));
+        case ItemKind::Model: return f(elements(scene.models));
         case ItemKind::Object:
         case ItemKind::Background: break;
     }
@@ -33,6 +36,7 @@ const char* kind_name(ItemKind kind) {
         case ItemKind::Camera: return "camera";
         case ItemKind::Material: return "material";
         case ItemKind::Texture: return "texture";
+        case ItemKind::Model: return "model";
         case ItemKind::Background: break;
     }
     return "Background";
@@ -44,21 +48,18 @@ void forget_material(Scene& scene, MaterialId id) {
 }
 
 void forget_texture(Scene& scene, TextureId id) {
-    const auto forget = [id](TexturedColor& color) {
-        if (color.texture == id) color.texture = {};
+    const auto forget = [id](const char*, auto& slot) {
+        if (texture_in(slot) == id) texture_in(slot) = {};
     };
-    for (Material& m : scene.materials.edit()) {
-        forget(m.color);
-        forget(m.emission);
-    }
-    for (Texture& t : scene.textures.edit()) {
-        forget(t.even);
-        forget(t.odd);
-    }
+    for (Material& m : scene.materials.edit())
+        for_each_slot(m, forget);
+    for (Texture& t : scene.textures.edit())
+        for_each_slot(t, forget);
 }
 
 void delete_item(Scene& scene, SceneItem item) {
     if (!why_not_deleted(scene, item).empty()) return;
+    if (item.kind == ItemKind::Model) return delete_model(scene, {item.id});
     with_things(scene, item.kind, [&](auto& things) {
         std::erase_if(things, [&](const auto& thing) { return thing.id.value == item.id; });
     });
@@ -112,10 +113,15 @@ std::vector<SceneItem> duplicate_items(Scene& scene, const std::vector<SceneItem
             objects.push_back({item.id});
             continue;
         }
+        if (item.kind == ItemKind::Model) {
+            if (const ModelId id = duplicate_model(scene, {item.id})) made.push_back(item_of(id));
+            continue;
+        }
         with_things(scene, item.kind, [&](auto& things) {
             const auto found = position_of(things, item.id);
             if (found == things.end()) return;
             auto copy = *found;
+            if constexpr (requires { copy.part; }) copy.part = {};  // a thing of the scene's own
             copy.id = next_id(things);
             if (copy.name.empty()) copy.name = kind_name(item.kind);
             copy.name = free_name(things, copy.name);

@@ -61,6 +61,7 @@ void SceneTree::update(const std::shared_ptr<const Scene>& scene, const std::str
             add(section, item_of(things[i].id), i,
                 searches ? item_name(*scene, item_of(things[i].id)) : none);
     };
+    add_all(TreeSection::Models, scene->models);
     add_all(TreeSection::Objects, scene->generators);
     add_all(TreeSection::Cameras, scene->cameras);
     add_all(TreeSection::Materials, scene->materials);

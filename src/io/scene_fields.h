@@ -37,18 +37,48 @@ void texture_fields(V& v, Texture& t) {
         case TextureKind::Image:
             v.image("file", t.file);
             v("wrap", t.wrap);
+            v("wrap_v", t.wrap_v);
             v("filter", t.filter);
             v("color_space", t.color_space);
+            v("uv_set", t.uv_set);
             v("repeat", t.repeat);
+            v("uv_rotation", t.uv_rotation);
+            v("uv_offset", t.uv_offset);
+            v.color("tint", t.tint);
             break;
     }
 }
 
-/// What a material starts from before its fields are read: glass is clear, the rest mid-grey.
+template <class V>
+void principled_fields(V& v, PrincipledSurface& s) {
+    v("metallic", s.metallic);
+    v("roughness", s.roughness);
+    v("specular", s.specular);
+    v("specular_color", s.specular_color);
+    v("anisotropy", s.anisotropy);
+    v("anisotropy_rotation", s.anisotropy_rotation);
+    v("transmission", s.transmission);
+    v("thin", s.thin);
+    v.color("attenuation_color", s.attenuation_color);
+    v("attenuation_distance", s.attenuation_distance);
+    v("diffuse_transmission", s.diffuse_transmission);
+    v("diffuse_transmission_color", s.diffuse_transmission_color);
+    v("coat", s.coat);
+    v("coat_roughness", s.coat_roughness);
+    v("sheen_color", s.sheen_color);
+    v("sheen_roughness", s.sheen_roughness);
+    v.texture("normal", s.normal);
+    v("normal_scale", s.normal_scale);
+    v("compensation", s.compensation);
+}
+
+/// What a material starts from before its fields are read: glass is clear, metals have no tint, the
+/// rest is mid-grey.
 inline Material default_material(MaterialKind kind) {
     Material m;
     m.kind = kind;
-    if (kind == MaterialKind::Dielectric) m.color.color = {1, 1, 1};
+    if (kind == MaterialKind::Dielectric || kind == MaterialKind::Conductor)
+        m.color.color = {1, 1, 1};
     return m;
 }
 
@@ -63,12 +93,28 @@ void material_fields(V& v, Material& m) {
         v("exterior_ior", m.exterior_ior);
         v("fresnel", m.fresnel);
     }
+    if (m.kind == MaterialKind::Conductor) {
+        v("metal", m.metal);
+        v("eta", m.eta);
+        v("k", m.k);
+    }
+    if (m.kind == MaterialKind::Dielectric || m.kind == MaterialKind::Conductor) {
+        v("roughness", m.roughness);
+        v("masking", m.masking);
+        v("compensation", m.surface.compensation);
+    }
+    if (m.kind == MaterialKind::Principled) {
+        v("ior", m.ior);
+        principled_fields(v, m.surface);
+    }
     if (m.kind == MaterialKind::DiffuseLight)
         v("emission", m.emission);
     else
         v.glow("emission", m.emits, m.emission);
     v("strength", m.strength);
     v("side", m.side);
+    v("alpha", m.alpha);
+    v("alpha_cutoff", m.alpha_cutoff);
     v("opacity", m.opacity);
     v.color("pass_through", m.pass_through);
 }
@@ -145,6 +191,17 @@ void object_fields(V& v, Object& o) {
 }
 
 template <class V>
+void model_fields(V& v, Model& m) {
+    v("name", m.name);
+    v.required("file", m.path,
+               "the path of a model (.gltf, .glb, .obj), relative to the scene file");
+    v.object("transform", m.transform, [](auto& w, Transform& t) { transform_fields(w, t); });
+    v.changes("objects");
+    v.changes("materials");
+    v.changes("textures");
+}
+
+template <class V>
 void generator_fields(V& v, Generator& g) {
     v.constant("type", "sphere_grid");
     v("name", g.name);
@@ -214,9 +271,11 @@ void scene_fields(V& v, Scene& s) {
     v.object("render", s.render, [](auto& w, RenderSettings& r) { render_fields(w, r); });
     v.object("display", s.display, [](auto& w, DisplaySettings& d) { display_fields(w, d); });
     v.object("background", s.background, [](auto& w, Background& b) { background_fields(w, b); });
+    v.models("models", s);
     v.named("textures", s.textures.edit());
     v.named("materials", s.materials.edit());
     v.list("objects", s.objects.edit(), [](auto& w, Object& o) { object_fields(w, o); });
+    v.model_changes();
     v.list("generate", s.generators.edit(), [](auto& w, Generator& g) { generator_fields(w, g); });
 }
 

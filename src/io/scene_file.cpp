@@ -42,7 +42,8 @@ void for_each_mesh(SceneType& scene, F&& f) {
 }
 
 std::shared_ptr<const Mesh> load_mesh(const Scene& scene, const std::string& path,
-                                      const std::string& name) {
+                                      const std::string& name, ModelCache& models) {
+    if (names_part(path)) return models.mesh(path);
     try {
         return share(read_mesh(fs::path(scene.origin.folder) / path));
     } catch (const Error& error) {
@@ -52,7 +53,8 @@ std::shared_ptr<const Mesh> load_mesh(const Scene& scene, const std::string& pat
 }
 
 std::shared_ptr<const Image> load_image(const Scene& scene, const std::string& path,
-                                        const std::string& name) {
+                                        const std::string& name, ModelCache& models) {
+    if (names_part(path)) return models.image(path);
     if (path.empty()) {
         log_warning("{}: a texture has no image yet; shown as cyan", name);
         return nullptr;
@@ -81,6 +83,9 @@ Scene moved_to(Scene scene, const fs::path& folder) {
     scene.origin.schema = rebased(scene.origin.schema, from, folder);
     for_each_image(scene, [&](ImageFile& file) { file.path = rebased(file.path, from, folder); });
     for_each_mesh(scene, [&](MeshFile& file) { file.path = rebased(file.path, from, folder); });
+    if (!scene.models.empty())
+        for (Model& model : scene.models.edit())
+            model.path = rebased(model.path, from, folder);
     return scene;
 }
 
@@ -93,14 +98,22 @@ fs::path folder_of(const fs::path& file) {
 
 }  // namespace
 
-Scene scene_of_json(const Json& json, const std::string& name) {
+Scene scene_of_json(const Json& json, const std::string& name, ModelCache& models) {
     ReadState state;
     state.file = name;
+    state.load_model = [&](const std::string& path) { return models.content(path); };
     SceneReader reader(state, json, "");
     // The reader adds what is inline to state.scene while its fields are read into it.
-    scene_fields(reader, state.scene);
+    Scene& scene = state.scene;
+    scene_fields(reader, scene);
     reader.finish();
-    return std::move(state.scene);
+    if (!state.has_camera && !scene.models.empty()) {
+        const double aspect = static_cast<double>(scene.render.width) / scene.render.height;
+        const CameraId id = scene.cameras.front().id;
+        scene.cameras.front() = camera_in_front(scene.objects, aspect);
+        scene.cameras.front().id = id;
+    }
+    return std::move(scene);
 }
 
 Json json_of_scene(const Scene& scene, bool with_defaults) {
@@ -123,39 +136,58 @@ void check_problems(const Scene& scene, const std::string& name, bool warn) {
     }
 }
 
-void load_images(Scene& scene, const std::string& name, const Scene* known) {
+void load_images(Scene& scene, const std::string& name, ModelCache& models, const Scene* known) {
     std::map<std::string, std::shared_ptr<const Image>> loaded;
     if (known)
         for_each_image(*known, [&](const ImageFile& file) { loaded[file.path] = file.image; });
     for_each_image(scene, [&](ImageFile& file) {
+        if (file.image) return;
         const auto [entry, is_new] = loaded.try_emplace(file.path);
-        if (is_new) entry->second = load_image(scene, file.path, name);
+        if (is_new) entry->second = load_image(scene, file.path, name, models);
         file.image = entry->second;
     });
 }
 
-void load_meshes(Scene& scene, const std::string& name, const Scene* known) {
+void load_meshes(Scene& scene, const std::string& name, ModelCache& models, const Scene* known) {
     std::map<std::string, std::shared_ptr<const Mesh>> loaded;
     if (known) for_each_mesh(*known, [&](const MeshFile& file) { loaded[file.path] = file.mesh; });
     for_each_mesh(scene, [&](MeshFile& file) {
+        if (file.mesh) return;
         const auto [entry, is_new] = loaded.try_emplace(file.path);
-        if (is_new) entry->second = load_mesh(scene, file.path, name);
+        if (is_new) entry->second = load_mesh(scene, file.path, name, models);
         file.mesh = entry->second;
     });
 }
 
-Scene parse_scene(std::string_view text, const fs::path& folder, const std::string& name) {
-    Scene scene = scene_of_json(parse_json(text, name), name);
-    scene.origin.folder = folder_of(folder / "scene").string();
+Scene parse_scene(std::string_view text, const fs::path& folder, const std::string& name,
+                  const ModelReadOptions& options) {
+    const std::string origin = folder_of(folder / "scene").string();
+    ModelCache models(origin, name, nullptr, options);
+    Scene scene = scene_of_json(parse_json(text, name), name, models);
+    scene.origin.folder = origin;
     check_problems(scene, name);
-    load_images(scene, name);
-    load_meshes(scene, name);
+    load_images(scene, name, models);
+    load_meshes(scene, name, models);
     return scene;
 }
 
-Scene load_scene(const fs::path& file) {
+Model load_model(const fs::path& file, const ModelReadOptions& options) {
+    Model model;
+    model.name = file.stem().string();
+    model.path = file.filename().generic_string();
+    model.content = read_content(file, options);
+    return model;
+}
+
+Scene load_scene(const fs::path& file, const ModelReadOptions& options) {
+    if (can_read_model(file)) {
+        Scene scene = scene_of_model(load_model(file, options));
+        scene.origin.folder = folder_of(file).string();
+        check_problems(scene, file.string());
+        return scene;
+    }
     return parse_scene(read_whole_file(file, "a scene file (.json)", kMaxFileBytes),
-                       file.parent_path(), file.string());
+                       file.parent_path(), file.string(), options);
 }
 
 std::string scene_text(const Scene& scene) {

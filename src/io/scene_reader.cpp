@@ -4,6 +4,7 @@
 
 #include <teapath/core/color.h>
 #include <teapath/core/error.h>
+#include <teapath/core/log.h>
 #include <teapath/core/nearest_name.h>
 #include <teapath/io/shape_types.h>
 
@@ -52,8 +53,8 @@ std::vector<std::string> keys_of(const Names& names) {
 
 }  // namespace
 
-SceneReader::SceneReader(ReadState& state, const Json& json, std::string path)
-    : state_(state), json_(json), path_(std::move(path)) {
+SceneReader::SceneReader(ReadState& state, const Json& json, std::string path, bool changes)
+    : state_(state), json_(json), path_(std::move(path)), changes_(changes) {
     if (!json.is_object())
         fail(path_, fmt::format("expected an object, found {}", type_name(json)));
 }
@@ -199,21 +200,38 @@ void SceneReader::operator()(const char* key, TexturedColor& value) {
     const bool is_texture =
         json->is_object() ||
         (json->is_string() && (!name.starts_with('#') || state_.texture_names.count(name)));
-    if (is_texture)
-        value.texture = texture_of(*json, path_of(key));
-    else
-        value.color = color_of(*json, path_of(key));
+    value.texture = is_texture ? texture_of(*json, path_of(key)) : TextureId{};
+    if (!is_texture) value.color = color_of(*json, path_of(key));
+}
+
+void SceneReader::operator()(const char* key, TexturedNumber& value) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (json->is_object()) {
+        SceneReader inner(state_, *json, path_of(key));
+        if (!json->contains("texture"))
+            fail(path_of(key), "the key \"texture\" is missing",
+                 R"(a number, or {"value": 1, "texture": "name", "channel": "red"})");
+        value.value = 1;
+        inner("value", value.value);
+        inner.texture("texture", value.texture);
+        inner("channel", value.channel);
+        inner.finish();
+    } else {
+        value.value = number_of(*json, path_of(key));
+        value.texture = {};
+    }
 }
 
 void SceneReader::operator()(const char* key, MaterialId& value) {
     const Json* json = find(key);
     if (!json) return;
+    if (takes_away(json)) {
+        value = {};
+        return;
+    }
     if (json->is_string()) {
-        const auto found = state_.material_names.find(json->get<std::string>());
-        if (found == state_.material_names.end())
-            unknown_name(path_of(key), "material", json->get<std::string>(),
-                         keys_of(state_.material_names));
-        value = found->second;
+        value = material_of(json->get<std::string>(), path_of(key));
         return;
     }
     if (!json->is_object())
@@ -228,24 +246,54 @@ void SceneReader::operator()(const char* key, MaterialId& value) {
     state_.scene.materials.edit().push_back(std::move(material));
 }
 
+MaterialId SceneReader::material_of(const std::string& name, const std::string& path) {
+    const auto found = state_.material_names.find(name);
+    if (found != state_.material_names.end()) return found->second;
+    if (!state_.model_is_missing)
+        unknown_name(path, "material", name, keys_of(state_.material_names));
+    log_warning(
+        "{}: {}: the material \"{}\" is not there, maybe for want of a model; a grey one "
+        "takes its place",
+        state_.file, path, name);
+    Material material;
+    material.id = {static_cast<uint32_t>(state_.scene.materials.size()) + 1};
+    material.name = name;
+    state_.scene.materials.edit().push_back(material);
+    return state_.material_names[name] = material.id;
+}
+
+void SceneReader::required(const char* key, std::string& value, const char* remedy) {
+    const Json* json = find(key);
+    if (!json) fail(path_, fmt::format("the key \"{}\" is missing", key), remedy);
+    value = string_of(*json, path_of(key));
+}
+
 void SceneReader::color(const char* key, Double3& value) {
     if (const Json* json = find(key)) value = color_of(*json, path_of(key));
 }
 
-void SceneReader::image(const char* key, ImageFile& value) {
+void SceneReader::texture(const char* key, TextureId& value) {
     const Json* json = find(key);
-    if (!json)
-        fail(path_, fmt::format("the key \"{}\" is missing", key),
-             "the path of an image, relative to the scene file");
-    value.path = string_of(*json, path_of(key));
+    if (!json) return;
+    if (takes_away(json)) {
+        value = {};
+        return;
+    }
+    if (!json->is_object() && !json->is_string())
+        fail(path_of(key),
+             fmt::format("expected a texture or the name of one, found {}", type_name(*json)));
+    value = texture_of(*json, path_of(key));
+}
+
+void SceneReader::image(const char* key, ImageFile& value) {
+    if (changes_ && !json_.contains(key)) return;
+    const std::string before = value.path;
+    required(key, value.path, "the path of an image, relative to the scene file");
+    if (value.path != before) value.image = nullptr;
 }
 
 void SceneReader::mesh(const char* key, MeshFile& value) {
-    const Json* json = find(key);
-    if (!json)
-        fail(path_, fmt::format("the key \"{}\" is missing", key),
-             "the path of a mesh (.ply, .stl, .obj), relative to the scene file");
-    value.path = string_of(*json, path_of(key));
+    required(key, value.path, "the path of a mesh (.ply, .stl, .obj), relative to the scene file");
 }
 
 void SceneReader::matrix(const char* key, DoubleMat3& value) {
@@ -267,7 +315,13 @@ void SceneReader::schema(const char* key, std::string& value) {
 }
 
 void SceneReader::glow(const char* key, bool& emits, TexturedColor& value) {
-    emits = json_.contains(key);
+    const auto found = json_.find(key);
+    if (found != json_.end() && takes_away(&*found)) {
+        known_.emplace_back(key);
+        emits = false;
+        return;
+    }
+    emits = found != json_.end() || (changes_ && emits);
     (*this)(key, value);
 }
 
@@ -293,6 +347,7 @@ void SceneReader::constant(const char* key, int value) {
 
 void SceneReader::shape(const char* key, Shape& value) {
     const Json* json = find(key);
+    if (!json && changes_) return;
     if (!json)
         fail(path_, "the key \"shape\" is missing",
              R"(for example "shape": {"type": "sphere", "center": [0, 1, 0], "radius": 1})");
@@ -328,6 +383,7 @@ void SceneReader::cameras(Scene& scene) {
         for (size_t i = 0; i < many->size(); ++i)
             read_camera((*many)[i], fmt::format("cameras[{}]", i), scene);
     }
+    state_.has_camera = !scene.cameras.empty();
     if (scene.cameras.empty()) {
         Camera camera;
         camera.id = {1};
@@ -346,10 +402,14 @@ void SceneReader::cameras(Scene& scene) {
 
 TextureId SceneReader::texture_of(const Json& json, const std::string& path) {
     if (json.is_object()) return inline_texture(json, path);
-    const auto found = state_.texture_names.find(json.get<std::string>());
-    if (found == state_.texture_names.end())
-        unknown_name(path, "texture", json.get<std::string>(), keys_of(state_.texture_names));
-    return found->second;
+    const std::string name = json.get<std::string>();
+    const auto found = state_.texture_names.find(name);
+    if (found != state_.texture_names.end()) return found->second;
+    if (!state_.model_is_missing)
+        unknown_name(path, "texture", name, keys_of(state_.texture_names));
+    log_warning("{}: {}: the texture \"{}\" is not there, maybe for want of a model", state_.file,
+                path, name);
+    return {};
 }
 
 TextureId SceneReader::inline_texture(const Json& json, const std::string& path) {

@@ -6,24 +6,40 @@
 #include <teapath/core/enum_table.h>
 #include <teapath/scene/scene.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
 
 namespace tp {
 
+/// The changes of a model's things, to be read once every name is known.
+struct ModelChanges {
+    ModelId model;
+    const Json* json;  // the model's entry
+    std::string path;
+};
+
+/// Gives the content of a model file by its path in the scene file; null: there is none.
+using ModelLoader = std::function<std::shared_ptr<const ModelContent>(const std::string&)>;
+
 /// What one read shares: the scene that grows, names already given an id, the file's name.
 struct ReadState {
     std::string file;
+    ModelLoader load_model;
     Scene scene;
     std::map<std::string, TextureId> texture_names;
     std::map<std::string, MaterialId> material_names;
+    std::vector<ModelChanges> model_changes;
+    bool model_is_missing = false;  // names that are unknown may be its
+    bool has_camera = false;        // the file says so
 };
 
 /// Reads the fields of one JSON object; `finish` refuses keys that nobody asked for.
 class SceneReader {
 public:
-    SceneReader(ReadState& state, const Json& json, std::string path);
+    /// `changes`: what is absent stays as it is, and null takes away.
+    SceneReader(ReadState& state, const Json& json, std::string path, bool changes = false);
 
     void operator()(const char* key, bool& value);
     void operator()(const char* key, int& value);
@@ -35,6 +51,7 @@ public:
     void operator()(const char* key, Double3& value);
     void operator()(const char* key, std::vector<Double4>& value);
     void operator()(const char* key, TexturedColor& value);
+    void operator()(const char* key, TexturedNumber& value);
     void operator()(const char* key, MaterialId& value);
 
     template <class Enum>
@@ -43,7 +60,10 @@ public:
         if (const Json* json = find(key)) value = enum_of<Enum>(*json, path_of(key));
     }
 
+    void required(const char* key, std::string& value, const char* remedy);
     void color(const char* key, Double3& value);
+    /// A texture or the name of one; absent where there is none.
+    void texture(const char* key, TextureId& value);
     /// The path of an image; it may be empty, where none has been chosen yet.
     void image(const char* key, ImageFile& value);
     /// The path of a mesh.
@@ -54,7 +74,9 @@ public:
     void schema(const char* key, std::string& value);
     void kind(const char* key, TextureKind& value) { required_kind(key, value); }
     void kind(const char* key, MaterialKind& value) { required_kind(key, value); }
-    void start_from(Material& value, const Material& standard) { value = standard; }
+    void start_from(Material& value, const Material& standard) {
+        if (!changes_ || json_.contains("type")) value = with_name_of(value, standard);
+    }
     /// A key whose presence switches emission on.
     void glow(const char* key, bool& emits, TexturedColor& value);
     void kind(const char* key, BackgroundKind& value) { required_kind(key, value); }
@@ -62,6 +84,10 @@ public:
     void constant(const char* key, int value);
     void shape(const char* key, Shape& value);
     void cameras(Scene& scene);
+    void models(const char* key, Scene& scene);
+    /// A section of a model's changes, which are read later.
+    void changes(const char* key) { find(key); }
+    void model_changes();
     void named(const char* key, std::vector<Texture>& textures);
     void named(const char* key, std::vector<Material>& materials);
 
@@ -82,7 +108,7 @@ public:
         for (size_t i = 0; i < json->size(); ++i) {
             SceneReader inner(state_, (*json)[i], path_of(key) + "[" + std::to_string(i) + "]");
             T value;
-            value.id = {static_cast<uint32_t>(i) + 1};
+            value.id = {static_cast<uint32_t>(values.size()) + 1};
             fields(inner, value);
             inner.finish();
             values.push_back(std::move(value));
@@ -104,9 +130,15 @@ private:
     std::string string_of(const Json& json, const std::string& path) const;
     template <class Vector>
     Vector vector_of(const Json& json, const std::string& path) const;
+    MaterialId material_of(const std::string& name, const std::string& path);
     TextureId texture_of(const Json& json, const std::string& path);
     TextureId inline_texture(const Json& json, const std::string& path);
     void read_camera(const Json& json, const std::string& path, Scene& scene);
+    static Material with_name_of(const Material& named, Material value);
+    /// True if the key takes a thing away, which only changes may do.
+    bool takes_away(const Json* json) const { return changes_ && json && json->is_null(); }
+    template <class List, class Read>
+    void read_changes(const ModelChanges& changes, const char* key, List& list, const Read& read);
     [[noreturn]] void unknown_name(const std::string& path, const char* what,
                                    const std::string& name,
                                    const std::vector<std::string>& names) const;
@@ -124,6 +156,7 @@ private:
     template <class Enum>
     void required_kind(const char* key, Enum& value) {
         const Json* json = find(key);
+        if (!json && changes_) return;
         if (!json)
             fail(path_, std::string("the key \"") + key + "\" is missing",
                  "one of: " + enum_names<Enum>());
@@ -133,6 +166,7 @@ private:
     ReadState& state_;
     const Json& json_;
     std::string path_;
+    bool changes_;
     std::vector<std::string> known_;  // keys asked for so far
     std::string schema_key_;          // taken, but not offered in messages
 };

@@ -159,6 +159,7 @@ Scene without_things(Scene scene) {
     scene.generators = {};
     scene.materials = {};
     scene.textures = {};
+    scene.models = {};
     return scene;
 }
 
@@ -180,17 +181,19 @@ Scene with_setting(const Scene& scene, std::string_view path, std::string_view v
     place_of(json, full_path) = std::move(parsed);
     const std::string name = fmt::format("--set {}", path);
     try {
-        Scene changed = scene_of_json(json, name);
+        ModelCache models(scene.origin.folder, name, &scene);
+        Scene changed = scene_of_json(json, name, models);
         changed.origin = scene.origin;
         if (alone) {
             changed.objects = scene.objects;
             changed.generators = scene.generators;
             changed.materials = scene.materials;
             changed.textures = scene.textures;
+            changed.models = scene.models;
         }
         check_problems(changed, name, false);
-        load_images(changed, name, &scene);
-        load_meshes(changed, name, &scene);
+        load_images(changed, name, models, &scene);
+        load_meshes(changed, name, models, &scene);
         return changed;
     } catch (const Error& error) {
         // The place need not be said twice.

@@ -3,6 +3,7 @@
 #include "scene_fields.h"
 
 #include <teapath/io/shape_types.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <fmt/format.h>
 
@@ -38,27 +39,30 @@ void give_names(std::map<Id, std::string>& names, const std::vector<Thing>& thin
 WriteState::WriteState(const Scene& s, bool defaults) : scene(s), with_defaults(defaults) {
     std::map<TextureId, int> texture_uses;
     std::map<MaterialId, int> material_uses;
-    const auto use = [&](const TexturedColor& c) {
-        if (c.texture) ++texture_uses[c.texture];
+    const auto use = [&](const char*, const auto& slot) {
+        if (const TextureId id = texture_in(slot)) ++texture_uses[id];
     };
     for (const Texture& t : s.textures) {
         textures[t.id] = &t;
-        use(t.even);
-        use(t.odd);
+        for_each_slot(t, use);
     }
     for (const Material& m : s.materials) {
         materials[m.id] = &m;
-        use(m.color);
-        use(m.emission);
+        for_each_slot(m, use);
     }
     for (const Object& o : s.objects)
         if (o.material) ++material_uses[o.material];
     give_names(camera_names, s.cameras, "camera",
                [&](CameraId id) { return id == s.active_camera && s.cameras.front().id != id; });
-    give_names(texture_names, s.textures.items(), "texture",
-               [&](TextureId id) { return texture_uses[id] > 1; });
-    give_names(material_names, s.materials.items(), "material",
-               [&](MaterialId id) { return material_uses[id] > 1; });
+    for (const Model& m : s.models)
+        if (m.content) models.insert(m.id);
+    // Things of models are written by name, wherever they are used.
+    give_names(texture_names, s.textures.items(), "texture", [&](TextureId id) {
+        return texture_uses[id] > 1 || is_of_model(textures[id]->part);
+    });
+    give_names(material_names, s.materials.items(), "material", [&](MaterialId id) {
+        return material_uses[id] > 1 || is_of_model(materials[id]->part);
+    });
 }
 
 Json SceneWriter::number(double value) {
@@ -81,16 +85,30 @@ void SceneWriter::operator()(const char* key, const std::vector<Double4>& value)
 }
 
 void SceneWriter::operator()(const char* key, const TexturedColor& value) {
-    if (!value.texture) {
+    if (!value.texture)
         json_[key] = vector(value.color);
+    else
+        texture(key, value.texture);
+}
+
+void SceneWriter::operator()(const char* key, const TexturedNumber& value) {
+    if (!value.texture) {
+        json_[key] = number(value.value);
         return;
     }
-    if (const auto name = state_.texture_names.find(value.texture);
-        name != state_.texture_names.end()) {
+    SceneWriter inner(state_);
+    inner("value", value.value);
+    inner.texture("texture", value.texture);
+    inner("channel", value.channel);
+    json_[key] = inner.take();
+}
+
+void SceneWriter::texture(const char* key, TextureId value) {
+    if (const auto name = state_.texture_names.find(value); name != state_.texture_names.end()) {
         json_[key] = name->second;
         return;
     }
-    const auto found = state_.textures.find(value.texture);
+    const auto found = state_.textures.find(value);
     if (found == state_.textures.end()) return;
     Texture texture = *found->second;
     json_[key] = difference(texture, [](auto& v, Texture& t) { texture_fields(v, t); });
@@ -140,7 +158,7 @@ void SceneWriter::named(const char* key, std::vector<Texture>& textures) {
     Json items = Json::object();
     for (Texture& texture : textures) {
         const auto name = state_.texture_names.find(texture.id);
-        if (name != state_.texture_names.end())
+        if (name != state_.texture_names.end() && !state_.is_of_model(texture.part))
             items[name->second] =
                 difference(texture, [](auto& v, Texture& t) { texture_fields(v, t); });
     }
@@ -151,7 +169,7 @@ void SceneWriter::named(const char* key, std::vector<Material>& materials) {
     Json items = Json::object();
     for (Material& material : materials) {
         const auto name = state_.material_names.find(material.id);
-        if (name != state_.material_names.end())
+        if (name != state_.material_names.end() && !state_.is_of_model(material.part))
             items[name->second] =
                 difference(material, [](auto& v, Material& m) { material_fields(v, m); });
     }

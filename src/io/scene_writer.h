@@ -22,6 +22,10 @@ struct WriteState {
     std::map<MaterialId, std::string> material_names;
     std::map<TextureId, const Texture*> textures;
     std::map<MaterialId, const Material*> materials;
+    std::set<ModelId> models;
+
+    /// True if the model's entry says what the thing is.
+    bool is_of_model(const ModelPart& part) const { return models.count(part.model) > 0; }
 
     explicit WriteState(const Scene& scene, bool with_defaults = false);
 };
@@ -44,6 +48,7 @@ public:
     void operator()(const char* key, const Double3& value) { json_[key] = vector(value); }
     void operator()(const char* key, const std::vector<Double4>& value);
     void operator()(const char* key, const TexturedColor& value);
+    void operator()(const char* key, const TexturedNumber& value);
     void operator()(const char* key, MaterialId value);
 
     template <class Enum>
@@ -51,6 +56,7 @@ public:
     void operator()(const char* key, Enum value) { json_[key] = std::string(enum_name(value)); }
 
     void color(const char* key, const Double3& value) { json_[key] = vector(value); }
+    void texture(const char* key, TextureId value);
     void image(const char* key, const ImageFile& value) { json_[key] = value.path; }
     void mesh(const char* key, const MeshFile& value) { json_[key] = value.path; }
     void matrix(const char* key, const DoubleMat3& value);
@@ -69,6 +75,10 @@ public:
     void constant(const char* key, int value) { json_[key] = value; }
     void shape(const char* key, Shape& value);
     void cameras(const Scene& scene);
+    void models(const char* key, const Scene& scene);
+    void changes(const char*) {}  // models() adds them
+    void model_changes() {}
+    void required(const char* key, const std::string& value, const char*) { json_[key] = value; }
     void named(const char* key, std::vector<Texture>& textures);
     void named(const char* key, std::vector<Material>& materials);
 
@@ -81,16 +91,24 @@ public:
 
     template <class T, class Fields>
     void list(const char* key, std::vector<T>& values, Fields&& fields) {
-        if (values.empty()) return;
         Json items = Json::array();
-        for (T& value : values)
+        for (T& value : values) {
+            if constexpr (requires { value.part; })
+                if (state_.is_of_model(value.part)) continue;
             items.push_back(difference(value, fields));
-        json_[key] = std::move(items);
+        }
+        if (!items.empty()) json_[key] = std::move(items);
     }
 
 private:
+    const std::string& name_of(MaterialId id) const { return state_.material_names.at(id); }
+    const std::string& name_of(TextureId id) const { return state_.texture_names.at(id); }
+    template <class Thing>
+    Json changes_of(const Model& model, const std::vector<Thing>& things,
+                    std::vector<Thing> before) const;
+
     template <class T, class Fields>
-    Json difference(T& value, Fields&& fields) {
+    Json difference(T& value, Fields&& fields) const {
         T standard = default_like(value);
         SceneWriter mine(state_), theirs(state_);
         fields(mine, value);

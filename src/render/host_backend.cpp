@@ -4,6 +4,7 @@
 
 #include <teapath/core/parallel.h>
 #include <teapath/device/albedo_arrays.h>
+#include <teapath/device/srgb_table.h>
 #include <teapath/kernel/features.h>
 #include <teapath/kernel/post.h>
 #include <teapath/kernel/trace_pixel.h>
@@ -19,17 +20,6 @@ namespace tp {
 namespace {
 
 constexpr int kTileSize = 16;
-
-// Linear values of 8-bit sRGB codes.
-const std::array<float, 256>& srgb_table() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t{};
-        for (size_t i = 0; i < t.size(); ++i)
-            t[i] = linear_from_srgb(static_cast<float>(i) / 255.0f);
-        return t;
-    }();
-    return table;
-}
 
 struct Tile {
     uint32_t x0, y0, x1, y1;
@@ -60,11 +50,12 @@ public:
         scene.materials = make_span(std::as_const(arrays_.materials));
         scene.material_ids = make_span(std::as_const(arrays_.material_ids));
         scene.principled = make_span(std::as_const(arrays_.principled));
-        if (!arrays_.principled.empty()) scene.albedo_tables = albedo_arrays().view();
+        if (needs_albedo_tables(arrays_)) scene.albedo_tables = albedo_arrays().view();
         scene.textures = make_span(std::as_const(arrays_.textures));
         scene.texels = reinterpret_cast<const unsigned char*>(arrays_.texels.data());
         scene.srgb_table = srgb_table().data();
         scene.background = arrays_.background;
+        scene.environment = arrays_.environment ? arrays_.environment->view() : EnvironmentView{};
         scene.bounds = arrays_.bounds;
         scene.brute_force = arrays_.brute_force;
         params_.camera = arrays_.camera;

@@ -1,6 +1,8 @@
 // Checks of textures and materials; what has no name is called by the first place that uses it.
 #include "problem_list.h"
 
+#include <teapath/scene/texture_uses.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -34,18 +36,16 @@ private:
     void find_users() {
         for (size_t i = 0; i < scene_.objects.size(); ++i)
             first_object_.try_emplace(scene_.objects[i].material.value, i);
-        const auto use = [&](const TexturedColor& c, const auto& user, const char* key) {
-            if (c.texture) first_user_.try_emplace(c.texture, place_of(user) + "." + key);
+        const auto use = [&](TextureId id, const auto& user, const char* key) {
+            if (id) first_user_.try_emplace(id, place_of(user) + "." + key);
         };
-        for (const Material& m : scene_.materials) {
-            use(m.color, m, "color");
-            use(m.emission, m, "emission");
-        }
+        for (const Material& m : scene_.materials)
+            for_each_slot(
+                m, [&](const char* key, const auto& slot) { use(texture_in(slot), m, key); });
         // An inline checker stands before what is inline in it.
-        for (const Texture& t : scene_.textures) {
-            use(t.even, t.id, "even");
-            use(t.odd, t.id, "odd");
-        }
+        for (const Texture& t : scene_.textures)
+            for_each_slot(
+                t, [&](const char* key, const auto& slot) { use(texture_in(slot), t.id, key); });
     }
 
     std::string place_of(const Material& m) const {
@@ -62,20 +62,37 @@ private:
         return user == first_user_.end() ? "textures" : user->second;
     }
 
+    void check_texture_id(TextureId id, const Place& where) {
+        if (id && !textures_.count(id))
+            problems_.fatal(where, "the texture does not exist", "choose another");
+    }
+
     void check_color(const TexturedColor& c, const Place& where) {
         problems_.color(where, c.color);
-        if (c.texture && !textures_.count(c.texture))
-            problems_.fatal(where, "the texture does not exist", "choose another");
+        check_texture_id(c.texture, where);
+    }
+
+    void check_number(const TexturedNumber& n, const Place& where) {
+        problems_.in_range(where, n.value, 0.0, 1.0);
+        check_texture_id(n.texture, where);
     }
 
     void check_texture(const Texture& t, const Place& where) {
         if (t.kind == TextureKind::Constant) problems_.color(where / "color", t.color);
-        if (t.kind == TextureKind::Image) problems_.finite(where / "repeat", t.repeat);
+        if (t.kind == TextureKind::Image) check_image(t, where);
         if (t.kind != TextureKind::Checker) return;
         check_color(t.even, where / "even");
         check_color(t.odd, where / "odd");
         problems_.finite(where / "cells", t.cells);
         problems_.finite(where / "frequency", t.frequency);
+    }
+
+    void check_image(const Texture& t, const Place& where) {
+        problems_.in_range(where / "uv_set", t.uv_set, 0, kUvSets - 1);
+        problems_.finite(where / "repeat", t.repeat);
+        problems_.finite(where / "uv_rotation", t.uv_rotation);
+        problems_.finite(where / "uv_offset", t.uv_offset);
+        problems_.color(where / "tint", t.tint);
     }
 
     // The checkers directly inside a checker.
@@ -142,6 +159,7 @@ private:
             if (!m.emission.texture)
                 problems_.radiance(where / "emission", m.emission.color, m.strength);
         }
+        problems_.in_range(where / "alpha_cutoff", m.alpha_cutoff, 0.0, 1.0);
         problems_.in_range(where / "opacity", m.opacity, 0.0, 1.0);
         problems_.color(where / "pass_through", m.pass_through);
         if (m.kind == MaterialKind::Metal) problems_.in_range(where / "fuzz", m.fuzz, 0.0, 1.0);
@@ -149,11 +167,44 @@ private:
             problems_.in_range(where / "ior", m.ior, 0.01, 100.0);
             problems_.in_range(where / "exterior_ior", m.exterior_ior, 0.01, 100.0);
         }
+        if (m.kind == MaterialKind::Conductor) {
+            for (size_t i = 0; i < 3; ++i) {
+                const auto channel = static_cast<Double3::length_type>(i);
+                problems_.in_range((where / "eta")[i], m.eta[channel], 0.01, 100.0);
+                problems_.in_range((where / "k")[i], m.k[channel], 0.0, 100.0);
+            }
+        }
+        if (m.kind == MaterialKind::Dielectric || m.kind == MaterialKind::Conductor)
+            check_number(m.roughness, where / "roughness");
+        if (m.kind == MaterialKind::Principled) {
+            problems_.in_range(where / "ior", m.ior, 1.0, 100.0);
+            check_surface(m.surface, where);
+        }
         const Double3& c = m.color.color;
         const bool reflects = m.kind != MaterialKind::DiffuseLight && !m.color.texture;
         if (reflects && (c.x > 1 || c.y > 1 || c.z > 1))
             problems_.warn(where / "color",
                            "the colour is above 1: the surface gives back more light than it gets");
+    }
+
+    void check_surface(const PrincipledSurface& s, const Place& where) {
+        check_number(s.metallic, where / "metallic");
+        check_number(s.roughness, where / "roughness");
+        check_number(s.specular, where / "specular");
+        check_color(s.specular_color, where / "specular_color");
+        check_number(s.anisotropy, where / "anisotropy");
+        problems_.finite(where / "anisotropy_rotation", s.anisotropy_rotation);
+        check_number(s.transmission, where / "transmission");
+        problems_.color(where / "attenuation_color", s.attenuation_color);
+        problems_.not_negative(where / "attenuation_distance", s.attenuation_distance, "distance");
+        check_number(s.diffuse_transmission, where / "diffuse_transmission");
+        check_color(s.diffuse_transmission_color, where / "diffuse_transmission_color");
+        check_number(s.coat, where / "coat");
+        check_number(s.coat_roughness, where / "coat_roughness");
+        check_color(s.sheen_color, where / "sheen_color");
+        check_number(s.sheen_roughness, where / "sheen_roughness");
+        check_texture_id(s.normal, where / "normal");
+        problems_.finite(where / "normal_scale", s.normal_scale);
     }
 
     const Scene& scene_;

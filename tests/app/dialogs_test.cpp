@@ -29,6 +29,11 @@ bool is_idle(const WindowTest& t) {
     return t.app->ui.jobs.is_idle();
 }
 
+void open_scene_by(WindowTest& t, const fs::path& file) {
+    PanelContext context = t.context();
+    open_scene(context, file);
+}
+
 // The window's own browser, and a document that has no file.
 void begin_new(WindowTest& t) {
     t.app->ui.preferences.native_dialogs = false;
@@ -203,8 +208,11 @@ TEST_CASE("dialogs: dropped images become the background or the selection's colo
 
 TEST_CASE("dialogs: a dropped mesh becomes an object in view; a broken one is a message") {
     WindowTest t;
-    const fs::path file = window_test_options().folder / "roof.obj";
-    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 0.5 1 0\nv 0.5 0 1\nf 1 2 3\nf 2 4 3\n";
+    const fs::path file = window_test_options().folder / "roof.ply";
+    std::ofstream(file) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                           "property float y\nproperty float z\nelement face 2\n"
+                           "property list uchar int vertex_index\nend_header\n"
+                           "0 0 0\n1 0 0\n0.5 1 0\n0.5 0 1\n3 0 1 2\n3 1 3 2\n";
     const size_t before = t.scene().objects.size();
     t.drop(file);
     CHECK(t.frames_until([&] { return t.scene().objects.size() == before + 1; }));
@@ -216,12 +224,74 @@ TEST_CASE("dialogs: a dropped mesh becomes an object in view; a broken one is a 
     t.app->document.undo();
     CHECK(t.scene().objects.size() == before);
 
-    std::ofstream(file) << "v 0 0 0\nf 1 2 3\n";
+    std::ofstream(file) << "ply\n";
     t.app->ui.toasts.clear();
     t.drop(file);
     CHECK(t.frames_until(
         [&] { return !t.app->ui.dialogs.messages.empty() || !t.app->ui.toasts.empty(); }));
     CHECK(t.scene().objects.size() == before);
+}
+
+// Two triangles of two materials, in the folder of the tests.
+fs::path write_obj() {
+    const fs::path folder = window_test_options().folder;
+    std::ofstream(folder / "tent.mtl") << "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0 0 1\n";
+    std::ofstream(folder / "tent.obj") << "mtllib tent.mtl\nv 0 0 0\nv 1 0 0\nv 0.5 1 0\n"
+                                          "v 0.5 0 1\nusemtl red\nf 1 2 3\nusemtl blue\n"
+                                          "f 2 4 3\n";
+    return folder / "tent.obj";
+}
+
+TEST_CASE("dialogs: a dropped model stands in view with its materials, and is placed as a whole") {
+    WindowTest t;
+    const size_t before = t.scene().objects.size(), materials = t.scene().materials.size();
+    t.drop(write_obj());
+    CHECK(t.frames_until([&] { return t.scene().models.size() == 1; }));
+    CHECK(t.scene().objects.size() == before + 2);
+    CHECK(t.scene().materials.size() == materials + 2);
+    const ModelId id = t.scene().models[0].id;
+    CHECK(t.app->document.is_selected(item_of(id)));
+    CHECK(t.scene().models[0].name == "tent");
+
+    // The inspector moves the whole.
+    const Double3 was = t.scene().objects.back().transform.translation;
+    t.run([&](ImGuiTestContext* ctx) {
+        ctx->SetRef("//Inspector");
+        ctx->ItemInputValue("**/##Positionx", 7.5f);
+        ctx->Yield(2);
+    });
+    CHECK(t.scene().models[0].transform.translation.x == 7.5);
+    CHECK(t.scene().objects.back().transform.translation.x != was.x);
+
+    // Saved and read again, it is the same scene.
+    const fs::path file = window_test_options().folder / "with_model.json";
+    save_scene(t.scene(), file);
+    const Scene again = load_scene(file);
+    CHECK(again.models.size() == 1);
+    CHECK(again.objects.size() == before + 2);
+    CHECK(scene_text(again).find("objects\": {") == std::string::npos);  // nothing is changed
+
+    t.run([&](ImGuiTestContext* ctx) {
+        ctx->ItemClick("//Inspector/Select its objects");
+        ctx->Yield(2);
+    });
+    CHECK(t.app->document.selection.size() == 2);
+    t.app->document.select(item_of(id));
+    t.run([&](ImGuiTestContext* ctx) { ctx->KeyPress(ImGuiKey_Delete); });
+    CHECK(t.scene().models.empty());
+    CHECK(t.scene().objects.size() == before);
+    CHECK(t.scene().materials.size() == materials);
+    t.app->document.undo();
+    CHECK(t.scene().objects.size() == before + 2);
+}
+
+TEST_CASE("dialogs: a model opened as a scene is seen whole, and has no file yet") {
+    WindowTest t;
+    open_scene_by(t, write_obj());
+    CHECK(t.frames_until([&] { return t.scene().models.size() == 1; }));
+    CHECK(t.app->document.file().empty());
+    CHECK(t.scene().name == "tent");
+    CHECK_FALSE(t.app->document.is_modified());
 }
 
 TEST_CASE("dialogs: an export runs beside the window and says where its file is") {

@@ -20,7 +20,14 @@ public:
 private:
     using Json = nlohmann::json;
 
+    static bool has_type(const Json& value, const Json& type) {
+        if (!type.is_array()) return has_type(value, type.get<std::string>());
+        return std::any_of(type.begin(), type.end(),
+                           [&](const Json& one) { return has_type(value, one); });
+    }
+
     static bool has_type(const Json& value, const std::string& type) {
+        if (type == "null") return value.is_null();
         if (type == "object") return value.is_object();
         if (type == "array") return value.is_array();
         if (type == "string") return value.is_string();

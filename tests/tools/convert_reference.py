@@ -7,6 +7,7 @@ Textures are referred to by their absolute path; meshes become PLY files beside 
 one line a part; then nothing is written and the exit code is 3.
 """
 import json
+import math
 import os
 import sys
 
@@ -32,8 +33,7 @@ def convert_environment(environment, folder):
     if kind == "constant":
         return {"type": "constant", "color": environment["radiance"]}
     if kind == "image":
-        # Shown and lit by, but not yet sampled as a light: too noisy to judge.
-        raise Unsupported("environment image: importance sampling is missing")
+        return {"type": "image", "file": os.path.join(folder, "scenes", environment["file"]), "color_space": "linear"}
     raise Unsupported("environment of type " + kind)
 
 
@@ -45,6 +45,11 @@ def convert_texture(texture, folder):
     raise Unsupported("texture of type " + texture["type"])
 
 
+def convert_facets(material):
+    alpha = material.get("alpha", 0)
+    return {"roughness": math.sqrt(alpha), "masking": material["masking"], "compensation": False} if alpha > 0 else {}
+
+
 def convert_material(material, emission):
     kind = material["type"]
     if kind == "lambert":
@@ -54,9 +59,14 @@ def convert_material(material, emission):
     elif kind == "mirror":
         result = {"type": "metal", "color": material["reflectance"], "fuzz": 0}
     elif kind == "dielectric":
-        if material.get("alpha", 0) > 0:
-            raise Unsupported("rough dielectric")
         result = {"type": "dielectric", "ior": material["interior_ior"], "exterior_ior": material.get("exterior_ior", 1)}
+        result.update(convert_facets(material))
+    elif kind == "conductor":
+        result = {"type": "conductor", "metal": "custom", "eta": material["eta"], "k": material["k"]}
+        result.update(convert_facets(material))
+    elif kind == "metallic_roughness":
+        result = {"type": "principled", "color": material["base_color"], "metallic": material["metallic"],
+                  "roughness": material["roughness"], "compensation": False}
     else:
         raise Unsupported("material of type " + kind)
     if emission:

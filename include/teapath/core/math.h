@@ -37,6 +37,7 @@ using DoubleQuat = glm::dquat;
 inline constexpr Real kPi = Real(3.14159265358979323846);
 inline constexpr Real kInvPi = Real(0.31830988618379067154);
 inline constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+inline constexpr Real kOneMinusEpsilon = 1 - std::numeric_limits<Real>::epsilon() / 2;
 inline constexpr Real kEpsilon = std::numeric_limits<Real>::epsilon() / 2;  // unit roundoff
 
 using glm::cross;

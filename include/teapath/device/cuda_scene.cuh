@@ -26,6 +26,7 @@ private:
     SceneView view_;
     std::vector<CudaMesh> meshes_;
     DeviceBuffer<std::byte> memory_;
+    std::shared_ptr<const EnvironmentArrays> environment_;  // whose tables memory_ holds
     std::vector<size_t> layout_;  // bytes of each part, of what memory_ holds
 };
 

@@ -17,7 +17,7 @@ struct MeshArrays {
     std::vector<MeshTriangle> triangles;
     std::vector<Vec3> normals;
     std::vector<Vec4> tangents;
-    std::array<std::vector<Vec2>, 2> uvs;
+    std::array<std::vector<Vec2>, kUvSets> uvs;
     std::vector<Vec4> colors;
     Bounds bounds;
     BvhStats bvh;

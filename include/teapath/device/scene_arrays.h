@@ -2,12 +2,14 @@
 #pragma once
 
 #include <teapath/device/bvh_stats.h>
+#include <teapath/device/environment_arrays.h>
 #include <teapath/device/mesh_arrays.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/records.h>
 #include <teapath/scene/scene.h>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace tp {
@@ -45,6 +47,7 @@ struct SceneArrays {
     std::vector<TextureRecord> textures;
     std::vector<std::byte> texels;  // all images, each aligned to 16 bytes
     BackgroundRecord background;
+    std::shared_ptr<const EnvironmentArrays> environment;  // null: no image to aim at
     CameraRecord camera;
     PathSettings settings;
     Bounds bounds;             // of all hittables
@@ -54,6 +57,11 @@ struct SceneArrays {
 
     size_t bytes() const;
 };
+
+/// True if kernels read SceneView::albedo_tables.
+inline bool needs_albedo_tables(const SceneArrays& arrays) {
+    return (arrays.features & kFeaturePrincipled) != 0;
+}
 
 /// Rebuilds `parts` of the arrays from the document, on all cores. The scene must be valid
 /// (validate() finds nothing fatal); generators are expanded here.

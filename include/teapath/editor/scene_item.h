@@ -10,7 +10,7 @@
 
 namespace tp {
 
-enum class ItemKind : uint8_t { Object, Generator, Camera, Material, Texture, Background };
+enum class ItemKind : uint8_t { Object, Generator, Camera, Material, Texture, Background, Model };
 
 struct SceneItem {
     ItemKind kind = ItemKind::Object;
@@ -33,6 +33,9 @@ inline SceneItem item_of(MaterialId id) {
 }
 inline SceneItem item_of(TextureId id) {
     return {ItemKind::Texture, id.value};
+}
+inline SceneItem item_of(ModelId id) {
+    return {ItemKind::Model, id.value};
 }
 inline SceneItem background_item() {
     return {ItemKind::Background, 0};

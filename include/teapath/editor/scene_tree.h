@@ -12,8 +12,16 @@
 
 namespace tp {
 
-enum class TreeSection : uint8_t { Objects, Lights, Cameras, Materials, Textures, Background };
-constexpr size_t kTreeSections = 6;
+enum class TreeSection : uint8_t {
+    Models,
+    Objects,
+    Lights,
+    Cameras,
+    Materials,
+    Textures,
+    Background
+};
+constexpr size_t kTreeSections = 7;
 
 class SceneTree {
 public:

@@ -12,11 +12,15 @@ TP_HD Vec2 equirectangular_uv(Vec3 d) {
     return {u < 0 ? u + 1 : u, std::acos(clamp(d.y, Real(-1), Real(1))) * kInvPi};
 }
 
+/// A direction of the world as one of the image, before it was rotated.
+TP_HD Vec3 turned_to_image(const BackgroundRecord& background, Vec3 d) {
+    return {d.x * background.cos_rotation - d.z * background.sin_rotation, d.y,
+            d.x * background.sin_rotation + d.z * background.cos_rotation};
+}
+
 /// The image as a background: wraps in u, clamps in v, always bilinear.
 TP_HD Vec3 image_background(const SceneView& scene, const BackgroundRecord& background, Vec3 d) {
-    const Vec3 turned{d.x * background.cos_rotation - d.z * background.sin_rotation, d.y,
-                      d.x * background.sin_rotation + d.z * background.cos_rotation};
-    const Vec2 uv = equirectangular_uv(turned);
+    const Vec2 uv = equirectangular_uv(turned_to_image(background, d));
     const ImageRecord& image = scene.textures[static_cast<uint32_t>(background.texture)].image;
     const Real x = uv.x * static_cast<Real>(image.width) - Real(0.5);
     const Real y = uv.y * static_cast<Real>(image.height) - Real(0.5);

@@ -8,7 +8,14 @@ namespace tp {
 /// What a ray can hit; the tag of the union Hittable.
 enum class HittableKind : uint8_t { Sphere, Ellipsoid, Rectangle, Box, Disk, Triangle, Mesh };
 
-enum class MaterialKind : uint8_t { Lambertian, Metal, Dielectric, DiffuseLight, Principled };
+enum class MaterialKind : uint8_t {
+    Lambertian,
+    Metal,
+    Dielectric,
+    DiffuseLight,
+    Principled,
+    Conductor
+};
 
 enum class TextureKind : uint8_t { Constant, Checker, Image };
 
@@ -19,6 +26,22 @@ enum class EmissionSide : uint8_t { Auto, Front, Outside, Both };
 
 enum class FresnelRule : uint8_t { Exact, Schlick };
 
+/// Metals whose index of refraction is known; Custom has its own.
+enum class ConductorMetal : uint8_t {
+    Custom,
+    Gold,
+    Silver,
+    Copper,
+    Aluminium,
+    Brass,
+    Chromium,
+    Tungsten
+};
+
+/// Which share of GGX facets both directions see: with heights correlated, or the product of what
+/// each sees.
+enum class MaskingRule : uint8_t { Correlated, Separable };
+
 /// Checker in texture coordinates (parity of floor(u * cells) + floor(v * cells)) or in world space
 /// (sign of sin(s x) sin(s y) sin(s z)).
 enum class CheckerMode : uint8_t { Uv, World };
@@ -28,6 +51,13 @@ enum class WrapModeV : uint8_t { AsU, Repeat, Clamp, Mirror };
 
 /// What the alpha of a colour does: it is the opacity, is ignored, or is compared with a threshold.
 enum class AlphaMode : uint8_t { Blend, Opaque, Mask };
+
+/// Sets of texture coordinates of a mesh that textures can choose from.
+inline constexpr int kUvSets = 2;
+
+/// The channel of a texture that a number is read from.
+enum class TextureChannel : uint8_t { Red, Green, Blue, Alpha };
+
 enum class FilterMode : uint8_t { Nearest, Bilinear };
 
 /// What the numbers of an image mean. Auto: sRGB for 8 and 16 bit, linear for float.

@@ -5,6 +5,30 @@
 
 namespace tp {
 
+/// Fills the facets of `b`, a conductor or a dielectric.
+template <uint32_t kFeatures>
+TP_HD void place_facets(const SceneView& scene, const MaterialRecord& m, const Surface& s, Vec3 wo,
+                        Bsdf& b) {
+    const Real alpha = sqr(clamp(number_at<kFeatures>(scene, m.roughness, s), Real(0), Real(1)));
+    b.is_rough = alpha >= kLeastAlpha;
+    if (!b.is_rough && m.kind == MaterialKind::Dielectric) return;
+    PlacedFacets& f = b.facets;
+    f.frame = frame_around(s.normal);
+    f.alpha = b.is_rough ? alpha : 0;
+    f.correlated = m.correlated;
+    f.gain = {1, 1, 1};
+    f.eta = m.eta_rgb;
+    f.k = m.k;
+    if (!b.is_rough || !m.compensation) return;
+    const Real cos_o = local_wo(f.frame, wo).z;
+    if (m.kind == MaterialKind::Conductor) {
+        const Vec2 albedo = ggx_albedo(scene.albedo_tables, cos_o, alpha);
+        f.gain = conductor_gain(m.eta_rgb, m.k, albedo.x + albedo.y);
+    } else {
+        f.gain = Vec3(1 / max(glass_albedo(scene.albedo_tables, cos_o, alpha, b.eta), Real(0.1)));
+    }
+}
+
 /// The bsdf, with `color` from surface_color, for a path that arrives along -wo.
 template <uint32_t kFeatures>
 TP_HD Bsdf make_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color, const Surface& s,
@@ -23,6 +47,11 @@ TP_HD Bsdf make_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color
     }
     b.fuzz = m.fuzz;
     b.eta = s.front ? m.eta : 1 / m.eta;
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+        const bool has_facets =
+            m.kind == MaterialKind::Conductor || m.kind == MaterialKind::Dielectric;
+        if (has_facets) place_facets<kFeatures>(scene, m, s, wo, b);
+    }
     return b;
 }
 

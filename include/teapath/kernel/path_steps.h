@@ -6,6 +6,7 @@
 #include <teapath/kernel/background.h>
 #include <teapath/kernel/camera_ray.h>
 #include <teapath/kernel/dimensions.h>
+#include <teapath/kernel/environment.h>
 #include <teapath/kernel/film_view.h>
 #include <teapath/kernel/launch_params.h>
 #include <teapath/kernel/light.h>
@@ -86,6 +87,35 @@ TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& ligh
     return s;
 }
 
+/// True if the environment is one of the lights.
+template <uint32_t kFeatures>
+TP_HD bool aims_at_environment(const SceneView& scene) {
+    constexpr uint32_t kNeeded = kFeatureLights | kFeatureTextures;
+    if constexpr ((kFeatures & kNeeded) == kNeeded) return scene.background.light_probability > 0;
+    return false;
+}
+
+/// The direct light of the environment at `s`, weighed against sampling the bsdf.
+template <uint32_t kFeatures>
+TP_HD void connect_environment(const LaunchParams& params, Vec2 u, const PathState& path,
+                               const Surface& s, const Bsdf& bsdf, Vec3 wo, ShadowQuery& shadow) {
+    const SceneView& scene = params.scene;
+    const EnvironmentSample sample = sample_environment(scene.environment, scene.background, u);
+    const Real pdf = sample.pdf * scene.background.light_probability;
+    if (!(pdf > 0)) return;
+    const Vec3 f = bsdf_eval<kFeatures>(bsdf, wo, sample.direction);
+    if (is_black(f)) return;
+    const Vec3 radiance = background_radiance<kFeatures>(scene, sample.direction);
+    const Real weight = mis_weight(pdf, bsdf_pdf<kFeatures>(bsdf, wo, sample.direction));
+    shadow.origin =
+        offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
+    shadow.direction = sample.direction;
+    shadow.distance = kInfinity;
+    shadow.light = {};
+    shadow.contribution = path.throughput * f * radiance * (weight / pdf);
+    shadow.is_active = true;
+}
+
 /// The direct light at `s`: a point of a light, weighed against sampling the bsdf.
 template <uint32_t kFeatures>
 TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, const PathState& path,
@@ -95,11 +125,12 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
     const uint32_t dimension = vertex_dimension(path.vertex);
     const LightRecord& light = params.scene.lights[pick_light(
         params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
+    const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionLight);
+    if (aims_at_environment<kFeatures>(params.scene) && light.hittable == kEnvironmentLight)
+        return connect_environment<kFeatures>(params, u, path, s, bsdf, wo, shadow);
     const Hittable& emitter = params.scene.hittables[light.hittable];
     const MaterialRecord& material = params.scene.materials[emitter.material];
-    const ShapeSample sample =
-        sample_emitter<kFeatures>(params.scene, light, s.point.position,
-                                  sample_2d<kSobol>(sampler, dimension + kDimensionLight));
+    const ShapeSample sample = sample_emitter<kFeatures>(params.scene, light, s.point.position, u);
     const Real pdf = sample.pdf * light.probability;
     const bool front = dot(sample.direction, sample.point.normal) < 0;
     if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
@@ -146,7 +177,14 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
 
     // Beyond the scene.
     if (hit.index == kNoHit) {
-        path.radiance += path.throughput * background_radiance<kFeatures>(scene, path.direction);
+        Real weight = 1;
+        if (aims_at_environment<kFeatures>(scene) && path.bsdf_pdf > 0 && settings.light_sampling)
+            weight = mis_weight(
+                path.bsdf_pdf,
+                scene.background.light_probability *
+                    environment_pdf(scene.environment, scene.background, path.direction));
+        path.radiance +=
+            path.throughput * background_radiance<kFeatures>(scene, path.direction) * weight;
         return false;
     }
     const Hittable& hittable = scene.hittables[hit.index];

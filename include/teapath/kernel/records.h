@@ -16,6 +16,13 @@ struct ColorRef {
     int32_t texture = -1;  // index of the TextureRecord, -1 = none
 };
 
+/// A number, times a channel of the texture if there is one.
+struct NumberRef {
+    Real value = 0;
+    int32_t texture = -1;
+    int32_t channel = 0;
+};
+
 struct MaterialRecord {
     MaterialKind kind = MaterialKind::Lambertian;
     FresnelRule fresnel = FresnelRule::Exact;
@@ -33,15 +40,12 @@ struct MaterialRecord {
     Real alpha_cutoff = Real(0.5);
     Real opacity = 1;
     Vec3 pass_through{1, 1, 1};
+    NumberRef roughness;                // Dielectric, Conductor
+    bool correlated = true;             // masking of rough ones
+    bool compensation = true;           // of what rough ones lose
+    Vec3 eta_rgb{1, 1, 1}, k{0, 0, 0};  // Conductor: index of refraction
 
     TP_HD_MEMBER MaterialRecord() : fuzz(0) {}
-};
-
-/// A number, times a channel of the texture if there is one.
-struct NumberRef {
-    Real value = 0;
-    int32_t texture = -1;
-    int32_t channel = 0;
 };
 
 /// The parameters of a principled surface beyond its colour, which the MaterialRecord has.
@@ -92,13 +96,30 @@ struct TextureRecord {
     TP_HD_MEMBER TextureRecord() : kind(TextureKind::Constant), constant(0, 0, 0) {}
 };
 
-/// An emitting hittable, or a triangle of one, in an alias table (Walker 1977; Vose 1991) by power.
+/// An emitting hittable, a triangle of one, or the environment, in an alias table (Walker 1977;
+/// Vose 1991) by power.
 struct LightRecord {
-    uint32_t hittable;
+    uint32_t hittable;     // or kEnvironmentLight
     uint32_t primitive;    // of a mesh, else 0
     Real probability;      // that this light is picked
     Real alias_threshold;  // of the table's column: below it this light, else `alias`
     uint32_t alias;
+};
+
+/// The environment among the LightRecords, in place of a hittable.
+inline constexpr uint32_t kEnvironmentLight = 0xffffffff;
+
+/// A row or a cell of the environment's grid in an alias table.
+struct EnvironmentCell {
+    Real probability;
+    Real alias_threshold;
+    uint32_t alias;
+};
+
+/// The grid that the environment image is sampled by (environment.h).
+struct EnvironmentView {
+    Span<const EnvironmentCell> rows, cells;
+    uint32_t width = 0, height = 0;
 };
 
 struct BackgroundRecord {
@@ -107,6 +128,7 @@ struct BackgroundRecord {
     int32_t texture = -1;                // Image; -1 = a missing one
     Real cos_rotation = 1, sin_rotation = 0;
     Real strength = 1;
+    Real light_probability = 0;  // that light sampling picks it; 0: never
 };
 
 struct CameraRecord {

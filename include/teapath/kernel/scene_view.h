@@ -20,6 +20,7 @@ struct SceneView {
     const unsigned char* texels = nullptr;
     const float* srgb_table = nullptr;  // 256 entries: linear value of an 8-bit code
     BackgroundRecord background;
+    EnvironmentView environment;
     Bounds bounds;             // of all hittables
     bool brute_force = false;  // tests: visit every hittable instead of the tree
 };

@@ -13,8 +13,29 @@ struct EnumTable<MaterialKind> {
         EnumRow<E>{E::Lambertian, "lambertian", "Lambertian"},
         EnumRow<E>{E::Metal, "metal", "Metal"},
         EnumRow<E>{E::Dielectric, "dielectric", "Dielectric"},
-        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"}};
-    // Principled is not offered yet: files and panels do not know its parameters.
+        EnumRow<E>{E::DiffuseLight, "diffuse_light", "Diffuse light"},
+        EnumRow<E>{E::Principled, "principled", "Principled"},
+        EnumRow<E>{E::Conductor, "conductor", "Conductor"}};
+};
+
+template <>
+struct EnumTable<ConductorMetal> {
+    using E = ConductorMetal;
+    static constexpr std::array rows = {EnumRow<E>{E::Custom, "custom", "By its index"},
+                                        EnumRow<E>{E::Gold, "gold", "Gold"},
+                                        EnumRow<E>{E::Silver, "silver", "Silver"},
+                                        EnumRow<E>{E::Copper, "copper", "Copper"},
+                                        EnumRow<E>{E::Aluminium, "aluminium", "Aluminium"},
+                                        EnumRow<E>{E::Brass, "brass", "Brass"},
+                                        EnumRow<E>{E::Chromium, "chromium", "Chromium"},
+                                        EnumRow<E>{E::Tungsten, "tungsten", "Tungsten"}};
+};
+
+template <>
+struct EnumTable<MaskingRule> {
+    using E = MaskingRule;
+    static constexpr std::array rows = {EnumRow<E>{E::Correlated, "correlated", "Correlated"},
+                                        EnumRow<E>{E::Separable, "separable", "Separable"}};
 };
 
 template <>
@@ -69,6 +90,14 @@ struct EnumTable<AlphaMode> {
     static constexpr std::array rows = {EnumRow<E>{E::Blend, "blend", "Opacity"},
                                         EnumRow<E>{E::Opaque, "opaque", "Ignored"},
                                         EnumRow<E>{E::Mask, "mask", "Cut-out"}};
+};
+
+template <>
+struct EnumTable<TextureChannel> {
+    using E = TextureChannel;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::Red, "red", "Red"}, EnumRow<E>{E::Green, "green", "Green"},
+        EnumRow<E>{E::Blue, "blue", "Blue"}, EnumRow<E>{E::Alpha, "alpha", "Alpha"}};
 };
 
 template <>

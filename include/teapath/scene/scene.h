@@ -8,6 +8,7 @@
 #include <teapath/scene/camera.h>
 #include <teapath/scene/generator.h>
 #include <teapath/scene/material.h>
+#include <teapath/scene/model.h>
 #include <teapath/scene/object.h>
 #include <teapath/scene/texture.h>
 
@@ -59,7 +60,8 @@ struct Scene {
     std::string description;
     std::vector<Camera> cameras;  // at least one after loading
     CameraId active_camera;       // the one to render; none = the first
-    SharedList<Object> objects;
+    SharedList<Model> models;
+    SharedList<Object> objects;  // of models too
     SharedList<Generator> generators;
     SharedList<Material> materials;
     SharedList<Texture> textures;

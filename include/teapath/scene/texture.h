@@ -23,7 +23,7 @@ struct TexturedColor {
 struct TexturedNumber {
     double value = 0;
     TextureId texture;
-    int channel = 0;  // 0 red, 1 green, 2 blue, 3 alpha
+    TextureChannel channel = TextureChannel::Red;
 
     friend bool operator==(const TexturedNumber&, const TexturedNumber&) = default;
 };
@@ -57,7 +57,7 @@ struct Texture {
     FilterMode filter = FilterMode::Bilinear;
     ColorSpace color_space = ColorSpace::Auto;
     WrapModeV wrap_v = WrapModeV::AsU;
-    int uv_set = 0;           // which texture coordinates of a mesh
+    int uv_set = 0;           // of a mesh, below kUvSets
     Double2 repeat{1, 1};     // multiplies uv
     double uv_rotation = 0;   // degrees, after `repeat`, as KHR_texture_transform turns
     Double2 uv_offset{0, 0};  // added last

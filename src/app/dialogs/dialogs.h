@@ -4,6 +4,8 @@
 
 #include "../context.h"
 
+#include <teapath/io/model_file.h>
+
 namespace tp {
 
 /// Draws the dialogs that are open, polls the jobs and the native dialogs; once a frame.
@@ -36,14 +38,17 @@ void read_image_then(PanelContext& c, const std::filesystem::path& file,
 /// Asks for an image for that texture, or for the background; `present` is the path it has now.
 void ask_for_image(PanelContext& c, SceneItem owner, const std::string& present);
 
-// Meshes (mesh_files.cpp).
-/// Reads a mesh, and in a later frame adds it as an object, placed in view.
-void open_mesh(PanelContext& c, const std::filesystem::path& file);
-/// Asks for a mesh to add.
-void ask_for_mesh(PanelContext& c);
+// Meshes and models (model_files.cpp).
+/// Reads a model, and in a later frame adds it, placed in view; a mesh (.ply, .stl) as one object.
+/// In place of a scene that is empty and untouched it is opened.
+void open_model(PanelContext& c, const std::filesystem::path& file);
+/// Asks for a model to add.
+void ask_for_model(PanelContext& c);
+/// Options of a reading in a job: it shows how far it is, and can be cancelled.
+ModelReadOptions reading_in(JobControl& control);
 
 // Files dropped on the window (drop.cpp).
-/// A scene is opened, after the question; a mesh is added; an image becomes the selected objects'
+/// A scene is opened, after the question; a model is added; an image becomes the selected objects'
 /// colour or, over the viewport with nothing selected, the background; anything else is a notice.
 void drop_file(PanelContext& c, const std::filesystem::path& file);
 

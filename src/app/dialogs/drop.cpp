@@ -79,18 +79,20 @@ void drop_file(PanelContext& c, const fs::path& file) {
     const std::string name = file.filename().string();
     std::error_code ignored;
     if (fs::is_directory(file, ignored)) {
-        c.toast(fmt::format("{} is a folder; drop a scene (.json), a mesh or an image", name),
+        c.toast(fmt::format("{} is a folder; drop a scene (.json), a model or an image", name),
                 true);
     } else if (scene_filters().front().passes(file)) {
         ask_first(c, "opening " + name, [file](PanelContext& p) { open_scene(p, file); });
-    } else if (mesh_filters().front().passes(file)) {
-        open_mesh(c, file);
+    } else if (model_filters().front().passes(file)) {
+        open_model(c, file);
     } else if (texture_filters().front().passes(file)) {
         drop_image(c, file);
     } else {
         c.toast(
-            fmt::format("{} is no scene (.json), mesh (.ply, .obj, .stl) or image that can be read",
-                        name),
+            fmt::format(
+                "{} is no scene (.json), model (.glb, .gltf, .obj, .ply, .stl) or image that can "
+                "be read",
+                name),
             true);
     }
 }

@@ -122,6 +122,16 @@ std::vector<FileFilter> scene_filters() {
     return {{"Scenes", {".json"}}, {"All files", {}}};
 }
 
+std::vector<FileFilter> openable_filters() {
+    std::vector<FileFilter> filters = {scene_filters().front(), model_filters().front()};
+    FileFilter both{"Scenes and models", filters[0].extensions};
+    both.extensions.insert(both.extensions.end(), filters[1].extensions.begin(),
+                           filters[1].extensions.end());
+    filters.insert(filters.begin(), both);
+    filters.push_back({"All files", {}});
+    return filters;
+}
+
 std::vector<FileFilter> texture_filters() {
     return {{"Images",
              {".png", ".jpg", ".jpeg", ".hdr", ".exr", ".tga", ".bmp", ".psd", ".gif", ".pic",

@@ -34,7 +34,10 @@ void draw_file_question(PanelContext& c);
 std::vector<FileFilter> scene_filters();
 /// Images that can be read.
 std::vector<FileFilter> texture_filters();
-std::vector<FileFilter> mesh_filters();
+/// Models and meshes.
+std::vector<FileFilter> model_filters();
+/// What opens as a scene: scenes and models, together and apart, and every file.
+std::vector<FileFilter> openable_filters();
 /// Images that can be written.
 std::vector<FileFilter> picture_filters();
 

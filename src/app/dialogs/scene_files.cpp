@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 using Then = std::function<void(PanelContext&)>;
 
 void take_scene(PanelContext& c, const std::shared_ptr<Scene>& scene, const fs::path& file) {
-    c.document.adopt(std::move(*scene), file);
+    // A scene made of a model has no file yet.
+    c.document.adopt(std::move(*scene), can_read_model(file) ? fs::path() : file);
     c.ui.viewport.fly_speed = 0;
     c.ui.preferences.remember_file(file);
     c.toast(fmt::format("Opened {}", file.filename().string()));
@@ -41,6 +42,14 @@ void save_to(PanelContext& c, const fs::path& file, Then then) {
                             if (then) then(p);
                         };
                     });
+}
+
+// A scene without a file is called as it is, beside its model if it was made of one.
+fs::path suggested_file(const Document& document) {
+    if (!document.file().empty()) return document.file();
+    const Scene& scene = document.scene();
+    if (scene.name.empty() || scene.models.empty()) return "untitled.json";
+    return fs::path(scene.origin.folder) / (scene.name + ".json");
 }
 
 void stop_jobs_and_quit(PanelContext& c) {
@@ -78,7 +87,7 @@ void open_scene(PanelContext& c, const fs::path& file) {
     };
     c.ui.jobs.start(
         std::move(options), [file, edits = c.document.edits()](JobControl& control) -> JobFinish {
-            const auto scene = std::make_shared<Scene>(load_scene(file));
+            const auto scene = std::make_shared<Scene>(load_scene(file, reading_in(control)));
             if (control.is_cancelled()) return nullptr;
             return [scene, file, edits](PanelContext& p) {
                 // What was edited while the file was read is asked about.
@@ -93,9 +102,9 @@ void open_scene(PanelContext& c, const fs::path& file) {
 
 void ask_to_open(PanelContext& c) {
     FileQuestion question;
-    question.title = "Open a scene";
+    question.title = "Open a scene or a model";
     question.accept = "Open";
-    question.filters = scene_filters();
+    question.filters = openable_filters();
     question.purpose = "scene";
     question.then = open_scene;
     ask_for_file(c, std::move(question));
@@ -108,7 +117,7 @@ void ask_to_save_as(PanelContext& c, Then then) {
     question.saves = true;
     question.filters = scene_filters();
     question.purpose = "scene";
-    question.suggestion = c.document.file().empty() ? fs::path("untitled.json") : c.document.file();
+    question.suggestion = suggested_file(c.document);
     question.extension = ".json";
     question.then = [then = std::move(then)](PanelContext& p, const fs::path& file) {
         save_to(p, file, then);

@@ -88,8 +88,8 @@ void add_object_items(PanelContext& c) {
             add_shape(c, kind, nullptr);
     }
     ImGui::Separator();
-    if (ImGui::MenuItem(ICON_FA_SHAPES "  Mesh from a file\xe2\x80\xa6###Mesh from a file"))
-        ask_for_mesh(c);
+    if (ImGui::MenuItem(ICON_FA_SHAPES "  Model from a file\xe2\x80\xa6###Model from a file"))
+        ask_for_model(c);
     if (ImGui::MenuItem(ICON_FA_TABLE_CELLS "  Sphere grid###Sphere grid")) {
         GeneratorId made;
         const Place place = place_in_view(c.document.scene());

@@ -1,6 +1,6 @@
 // Inspector of materials: presets and every parameter.
-#include "../preview/previews.h"
 #include "inspector.h"
+#include "texture_slots.h"
 
 #include <teapath/editor/material_presets.h>
 #include <teapath/scene/enum_tables.h>
@@ -46,19 +46,62 @@ void kind_rows(PropertyRows<Material>& rows) {
     });
 }
 
+void conductor_rows(PropertyRows<Material>& rows) {
+    rows.choice(
+        "Metal", "Whose index of refraction it has", [](auto& m) -> auto& { return m.metal; });
+    if (rows.active().metal != ConductorMetal::Custom) return;
+    rows.number(
+        {.name = "Index",
+         .help = "Real part of the index of refraction, of red, green and blue light",
+         .speed = 0.01,
+         .low = 0.01,
+         .high = 100},
+        [](auto& m) -> auto& { return m.eta; });
+    rows.number(
+        {.name = "Extinction",
+         .help = "Imaginary part of the index of refraction, of red, green and blue light",
+         .speed = 0.01,
+         .low = 0,
+         .high = 100},
+        [](auto& m) -> auto& { return m.k; });
+}
+
+void facet_rows(PropertyRows<Material>& rows) {
+    slot(
+        rows,
+        {.name = "Roughness",
+         .help = "0 is smooth; GGX's alpha is its square",
+         .speed = 0.003,
+         .low = 0,
+         .high = 1},
+        [](auto& m) -> auto& { return m.roughness; });
+    if (!(rows.active().roughness.value > 0)) return;
+    rows.choice(
+        "Masking", "How facets hide each other: with heights correlated, or each way for itself",
+        [](auto& m) -> auto& { return m.masking; });
+    rows.toggle(
+        "Compensation", "Gives back the energy that rough surfaces lose by single scattering",
+        [](auto& m) -> auto& { return m.surface.compensation; });
+}
+
 void scatter_rows(PropertyRows<Material>& rows) {
     const MaterialKind kind = rows.active().kind;
-    const TexturedColor standard = new_material(rows.active().kind).color;
-    const char* help = kind == MaterialKind::Metal ? "Share of light that is reflected"
-                       : kind == MaterialKind::Dielectric
-                           ? "Tint of what is reflected and let through"
-                           : "Share of light that is scattered";
-    textured_color(
-        rows, "Colour", help, standard, [](auto& m) -> auto& { return m.color; });
+    const char* help =
+        kind == MaterialKind::Metal        ? "Share of light that is reflected"
+        : kind == MaterialKind::Dielectric ? "Tint of what is reflected and let through"
+        : kind == MaterialKind::Conductor  ? "Tint of the reflection; white is the pure metal"
+        : kind == MaterialKind::Principled
+            ? "Base colour: of the diffuse light, of metal, of what is let through"
+            : "Share of light that is scattered";
+    slot(
+        rows, {.name = "Colour", .help = help}, [](auto& m) -> auto& { return m.color; });
     if (kind == MaterialKind::Metal)
         rows.number(
             {.name = "Fuzz", .help = "Blurs the reflection", .speed = 0.003, .low = 0, .high = 1},
             [](auto& m) -> auto& { return m.fuzz; });
+    if (kind == MaterialKind::Principled) principled_rows(rows);
+    if (kind == MaterialKind::Conductor) conductor_rows(rows);
+    if (kind == MaterialKind::Conductor || kind == MaterialKind::Dielectric) facet_rows(rows);
     if (kind != MaterialKind::Dielectric) return;
     rows.number(
         {.name = "Index",
@@ -109,8 +152,8 @@ void emission_rows(PropertyRows<Material>& rows) {
         rows.toggle(
             "Emits", "Gives light beside scattering it", [](auto& m) -> auto& { return m.emits; });
     if (!is_light && !rows.active().emits) return;
-    textured_color(
-        rows, "Emission", "Radiance of each channel", Material{}.emission,
+    slot(
+        rows, {.name = "Emission", .help = "Radiance of each channel"},
         [](auto& m) -> auto& { return m.emission; });
     temperature_row(rows);
     rows.number(
@@ -127,6 +170,17 @@ void emission_rows(PropertyRows<Material>& rows) {
 }
 
 void opacity_rows(PropertyRows<Material>& rows) {
+    rows.choice(
+        "Alpha", "What the alpha of the colour's image and of a mesh's vertices does",
+        [](auto& m) -> auto& { return m.alpha; });
+    if (rows.active().alpha == AlphaMode::Mask)
+        rows.number(
+            {.name = "Cut-off",
+             .help = "Alpha below lets all light through",
+             .speed = 0.003,
+             .low = 0,
+             .high = 1},
+            [](auto& m) -> auto& { return m.alpha_cutoff; });
     rows.number(
         {.name = "Opacity",
          .help = "Share of light that meets the surface; the rest goes straight on",

@@ -3,6 +3,7 @@
 #include "inspector.h"
 
 #include <teapath/editor/material_presets.h>
+#include <teapath/editor/model_edits.h>
 #include <teapath/editor/scene_tree.h>
 #include <teapath/scene/enum_tables.h>
 
@@ -189,8 +190,9 @@ void object_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
         },
         standard);
     const bool same_shape = rows.is_same([](auto& o) { return o.shape.index(); });
-    const std::string kind =
-        same_shape ? shape_kinds()[active.shape.index()].label : "Different shapes";
+    std::string kind = same_shape ? shape_kinds()[active.shape.index()].label : "Different shapes";
+    if (const Model* model = find(*scene, active.part.model); model && one)
+        kind += fmt::format(" of {}", model->name);
     inspector_header(c, items, shape_icon(active), kind);
 
     std::vector<std::string>& folded = c.ui.preferences.folded;

@@ -24,6 +24,7 @@ void draw_selection(PanelContext& c, const std::vector<SceneItem>& items) {
         case ItemKind::Camera: camera_inspector(c, items); break;
         case ItemKind::Material: material_inspector(c, items); break;
         case ItemKind::Texture: texture_inspector(c, items); break;
+        case ItemKind::Model: model_inspector(c, items); break;
         case ItemKind::Background: background_inspector(c); break;
     }
 }

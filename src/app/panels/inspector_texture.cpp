@@ -1,7 +1,7 @@
-// Inspector of textures, and the slots that hold them.
+// Inspector of textures.
 #include "../dialogs/dialogs.h"
-#include "../preview/previews.h"
 #include "inspector.h"
+#include "texture_slots.h"
 
 #include <teapath/scene/enum_tables.h>
 
@@ -11,36 +11,6 @@
 
 namespace tp {
 namespace {
-
-std::string texture_name(const Scene& scene, TextureId id) {
-    return item_name(scene, item_of(id));
-}
-
-void menu_of_textures(PanelContext& c, TexturedColor& value, TextureId not_this,
-                      TexturedColorChange& change) {
-    if (!ImGui::BeginPopup("textures")) return;
-    const auto choose = [&](TextureId id) {
-        change.texture |= value.texture != id;
-        value.texture = id;
-    };
-    if (ImGui::MenuItem("No texture", nullptr, !value.texture)) choose({});
-    const ScenePtr scene = c.document.snapshot();
-    if (!scene->textures.empty()) ImGui::Separator();
-    for (const Texture& t : scene->textures) {
-        ImGui::PushID(static_cast<int>(t.id.value));
-        if (t.id != not_this &&
-            ImGui::MenuItem(texture_name(*scene, t.id).c_str(), nullptr, value.texture == t.id))
-            choose(t.id);
-        ImGui::PopID();
-    }
-    ImGui::Separator();
-    if (ImGui::MenuItem(ICON_FA_CHESS_BOARD "  New checker"))
-        change.new_texture = TextureKind::Checker;
-    if (ImGui::MenuItem(ICON_FA_IMAGE "  New image")) change.new_texture = TextureKind::Image;
-    if (ImGui::MenuItem(ICON_FA_DROPLET "  New constant"))
-        change.new_texture = TextureKind::Constant;
-    ImGui::EndPopup();
-}
 
 PropertyRows<Texture> property_rows(PanelContext& c, const std::vector<SceneItem>& items) {
     std::vector<const Texture*> things;
@@ -60,12 +30,11 @@ PropertyRows<Texture> property_rows(PanelContext& c, const std::vector<SceneItem
 }
 
 void checker_rows(PropertyRows<Texture>& rows) {
-    const Texture standard;
-    textured_color(
-        rows, "Even", "Colour of the even cells", standard.even,
+    slot(
+        rows, {.name = "Even", .help = "Colour of the even cells"},
         [](auto& t) -> auto& { return t.even; }, rows.active().id);
-    textured_color(
-        rows, "Odd", "Colour of the odd cells", standard.odd,
+    slot(
+        rows, {.name = "Odd", .help = "Colour of the odd cells"},
         [](auto& t) -> auto& { return t.odd; }, rows.active().id);
     rows.choice(
         "Cells in", "Cells on the surface, or blocks of space",
@@ -96,6 +65,9 @@ void image_rows(PropertyRows<Texture>& rows) {
         "Beyond", "What lies outside of the image's edges",
         [](auto& t) -> auto& { return t.wrap; });
     rows.choice(
+        "Beyond in v", "The same above and below the image",
+        [](auto& t) -> auto& { return t.wrap_v; });
+    rows.choice(
         "Filter", "Between pixels", [](auto& t) -> auto& { return t.filter; });
     rows.choice(
         "Values are", "Automatic: sRGB for 8 and 16 bits, linear for float",
@@ -106,70 +78,28 @@ void image_rows(PropertyRows<Texture>& rows) {
          .speed = 0.01,
          .relative = true},
         [](auto& t) -> auto& { return t.repeat; });
-}
-
-// A small picture of the texture: cells and colours are drawn, an image is its thumbnail.
-void draw_thumbnail(PanelContext& c, const Texture& t, float size) {
-    const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + size, low.y + size};
-    const uint64_t picture =
-        t.kind == TextureKind::Image && c.ui.previews ? c.ui.previews->image(t.file.image) : 0;
-    if (picture) {
-        ImGui::Image(static_cast<ImTextureID>(picture), {size, size});
-        return;
-    }
-    ImGui::Dummy({size, size});
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    const auto fill = [&](ImVec2 a, ImVec2 b, const Double3& color) {
-        draw->AddRectFilled(a, b, ImGui::GetColorU32(ui::swatch_color(color)));
-    };
-    if (t.kind == TextureKind::Constant) fill(low, high, t.color);
-    if (t.kind == TextureKind::Image) fill(low, high, {0, 1, 1});  // as it is rendered
-    if (t.kind != TextureKind::Checker) return;
-    const float cell = size / 4;
-    for (int i = 0; i < 16; ++i) {
-        const ImVec2 a{low.x + cell * static_cast<float>(i % 4),
-                       low.y + cell * static_cast<float>(i / 4)};
-        fill(a, {a.x + cell, a.y + cell}, ((i + i / 4) % 2 == 0 ? t.even : t.odd).color);
-    }
+    rows.number(
+        {.name = "Rotation",
+         .help = "Turns the texture coordinates after the repetition",
+         .speed = 0.5,
+         .decimals = 1,
+         .unit = "\xc2\xb0"},
+        [](auto& t) -> auto& { return t.uv_rotation; });
+    rows.number(
+        {.name = "Offset", .help = "Added to the texture coordinates last", .speed = 0.003},
+        [](auto& t) -> auto& { return t.uv_offset; });
+    rows.number(
+        {.name = "UV set",
+         .help = "Which texture coordinates of a mesh",
+         .speed = 0.05,
+         .low = 0,
+         .high = kUvSets - 1},
+        [](auto& t) -> auto& { return t.uv_set; });
+    rows.color(
+        "Tint", "Multiplies the colours of the image", [](auto& t) -> auto& { return t.tint; });
 }
 
 }  // namespace
-
-TexturedColorChange row_textured_color(PanelContext& c, const char* name, const char* help,
-                                       TexturedColor& value, const TexturedColor& standard,
-                                       bool mixed, TextureId not_this) {
-    TexturedColorChange change;
-    const TexturedColor before = value;
-    ui::begin_row(name, help, mixed || !(value == standard));
-    ImGui::PushID(name);
-    const float button = ImGui::GetFrameHeight() + ui::px(2);
-    const float width = std::max(1.0f, ImGui::GetContentRegionAvail().x - button);
-    const Texture* texture = find(c.document.scene(), value.texture);
-    if (texture && !mixed) {
-        draw_thumbnail(c, *texture, ImGui::GetFrameHeight());
-        ImGui::SameLine(0, ui::px(4));
-        const float space = std::max(1.0f, width - ImGui::GetFrameHeight() - ui::px(4));
-        const std::string text =
-            ui::fitted(texture_name(c.document.scene(), value.texture), space - ui::px(16));
-        if (ImGui::Button((text + "###texture").c_str(), {space, 0}))
-            c.document.select(item_of(value.texture));
-        ui::tooltip("Shows the texture here");
-    } else {
-        change.color = ui::color_field(name, value.color, help, mixed, width);
-        if (change.color) value.texture = {};
-    }
-    ImGui::SameLine(0, ui::px(2));
-    if (ui::icon_button(ICON_FA_ELLIPSIS_VERTICAL "##slot", "A texture in place of the colour"))
-        ImGui::OpenPopup("textures");
-    menu_of_textures(c, value, not_this, change);
-    ImGui::PopID();
-    const ui::RowEnd end = ui::end_row(ui::color_text(value.color), true);
-    if (end.paste && ui::take_color(*end.paste, value.color)) change.color = true;
-    if (end.reset) value = standard;
-    change.texture |= value.texture != before.texture;
-    change.color |= value.color != before.color;
-    return change;
-}
 
 void row_image(PanelContext& c, const char* name, const char* help, const ImageFile& file,
                SceneItem owner) {

@@ -9,6 +9,7 @@
 
 #include <teapath/editor/refusal.h>
 #include <teapath/editor/scene_edits.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <fmt/format.h>
 
@@ -72,6 +73,7 @@ public:
           standard_(std::move(standard)) {}
 
     const Thing& active() const { return *things_.back(); }
+    const Thing& standard() const { return standard_; }
     size_t count() const { return things_.size(); }
     const std::vector<const Thing*>& things() const { return things_; }
 

@@ -3,6 +3,7 @@
 #include "../widgets.h"
 #include "scene_tree_parts.h"
 
+#include <teapath/editor/model_edits.h>
 #include <teapath/editor/scene_edits.h>
 
 #include <fmt/format.h>
@@ -53,6 +54,21 @@ void material_items(PanelContext& c, SceneItem item) {
     ImGui::Separator();
 }
 
+void model_items(PanelContext& c, SceneItem item) {
+    const std::vector<ObjectId> ids = objects_of(c.document.scene(), ModelId{item.id});
+    if (ImGui::MenuItem("Select its objects", nullptr, false, !ids.empty())) {
+        std::vector<SceneItem> objects;
+        for (const ObjectId id : ids)
+            objects.push_back(item_of(id));
+        c.document.select_items(objects);
+    }
+    if (ImGui::MenuItem("Hide", nullptr, false, !ids.empty()))
+        c.document.edit("Hide", "", [&](Scene& s) { set_visible(s, ids, false); });
+    if (ImGui::MenuItem("Show", nullptr, false, !ids.empty()))
+        c.document.edit("Show", "", [&](Scene& s) { set_visible(s, ids, true); });
+    ImGui::Separator();
+}
+
 void camera_items(PanelContext& c, SceneItem item) {
     if (ImGui::MenuItem("Look through it"))
         c.document.edit("Choose camera", "", [&](Scene& s) { s.active_camera = {item.id}; });
@@ -66,6 +82,7 @@ void scene_row_menu(PanelContext& c, const std::vector<SceneItem>& items) {
     const SceneItem item = items.back();
     if (item.kind == ItemKind::Object) object_items(c, items);
     if (item.kind == ItemKind::Material && items.size() == 1) material_items(c, item);
+    if (item.kind == ItemKind::Model && items.size() == 1) model_items(c, item);
     if (item.kind == ItemKind::Camera && items.size() == 1) camera_items(c, item);
     if (item.kind == ItemKind::Generator) {
         if (ImGui::MenuItem("Make editable"))

@@ -21,7 +21,8 @@ struct SectionText {
     void (*add)(PanelContext&);  // items of the menu behind "+"; null: no such menu
 };
 
-constexpr SectionText kSections[] = {{TreeSection::Objects, "Objects", add_object_items},
+constexpr SectionText kSections[] = {{TreeSection::Models, "Models", nullptr},
+                                     {TreeSection::Objects, "Objects", add_object_items},
                                      {TreeSection::Lights, "Lights", add_light_items},
                                      {TreeSection::Cameras, "Cameras", nullptr},
                                      {TreeSection::Materials, "Materials", add_material_items},
@@ -51,7 +52,9 @@ std::vector<Stretch> stretches(PanelContext& c) {
     for (const SectionText& text : kSections) {
         Stretch s{&text, text.section != TreeSection::Background, true, at,
                   c.ui.tree.rows.rows(text.section).size()};
-        if (searches && s.count == 0) continue;
+        // Most scenes have no models.
+        const bool is_needed = !searches && text.section != TreeSection::Models;
+        if (s.count == 0 && !is_needed) continue;
         s.is_open =
             searches || std::find(folded.begin(), folded.end(), fold_key(text)) == folded.end();
         at = s.end();

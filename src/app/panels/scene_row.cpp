@@ -40,6 +40,7 @@ Row row_of(const Scene& scene, SceneItem item, size_t position) {
             return row;
         case ItemKind::Texture: row.texture = &scene.textures[position]; break;
         case ItemKind::Generator:
+        case ItemKind::Model:
         case ItemKind::Background: break;
     }
     row.name = item_name(scene, item);
@@ -52,6 +53,7 @@ const char* icon_of(const Row& row, TreeSection section) {
         case ItemKind::Object: return object_icon(*row.object);
         case ItemKind::Generator: return ICON_FA_TABLE_CELLS;
         case ItemKind::Camera: return ICON_FA_VIDEO;
+        case ItemKind::Model: return ICON_FA_CUBES;
         case ItemKind::Material: return ICON_FA_PALETTE;
         case ItemKind::Texture:
             return row.texture->kind == TextureKind::Checker ? ICON_FA_CHESS_BOARD
@@ -166,6 +168,7 @@ const char* object_icon(const Object& o) {
         case 5: return ICON_FA_CUBE;
         case 6: return ICON_FA_COMPACT_DISC;
         case 7: return ICON_FA_PLAY;
+        case 8: return ICON_FA_SHAPES;
         default: return ICON_FA_SQUARE;
     }
 }

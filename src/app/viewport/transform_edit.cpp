@@ -6,18 +6,9 @@
 namespace tp {
 namespace {
 
-constexpr double kDegrees = 180 / 3.14159265358979323846;
 constexpr double kLowestScale = 1e-6;
 
 }  // namespace
-
-Double3 euler_degrees(const DoubleMat3& m) {
-    // m = Rz Ry Rx; m[column][row].
-    const double sin_y = std::clamp(-m[0][2], -1.0, 1.0);
-    const double y = std::asin(sin_y);
-    if (std::abs(sin_y) > 1 - 1e-12) return Double3(std::atan2(-m[2][1], m[1][1]), y, 0) * kDegrees;
-    return Double3(std::atan2(m[1][2], m[2][2]), y, std::atan2(m[0][1], m[0][0])) * kDegrees;
-}
 
 DoubleMat3 rotation_of(const Transform& t) {
     Transform unscaled = t;

@@ -6,10 +6,6 @@
 
 namespace tp {
 
-/// Degrees about x, then y, then z of the world, of a rotation matrix: what Transform::rotation
-/// holds. At the poles the turn about z is 0.
-Double3 euler_degrees(const DoubleMat3& rotation);
-
 /// The rotation of a transform as a matrix.
 DoubleMat3 rotation_of(const Transform& t);
 

@@ -64,11 +64,11 @@ private:
         return {factor, textures_.add(use, ColorSpace::Srgb, where_, factor)};
     }
 
-    TexturedNumber number(double value, const TextureUse& use, int channel) {
+    TexturedNumber number(double value, const TextureUse& use, TextureChannel channel) {
         return {value, linear(use), channel};
     }
     TexturedNumber number_of(const tinygltf::Value& e, const char* factor, double absent,
-                             const char* texture, int channel) {
+                             const char* texture, TextureChannel channel) {
         return number(share(number_in(e, factor, absent)), use_in(e, texture), channel);
     }
 
@@ -80,8 +80,8 @@ private:
         m_.color = color(base_factor_, base_);
         if (m_.alpha != AlphaMode::Opaque) m_.opacity = share(factor.w);
         const TextureUse both = use_of(pbr.metallicRoughnessTexture);
-        m_.surface.metallic = number(share(pbr.metallicFactor), both, 2);
-        m_.surface.roughness = number(share(pbr.roughnessFactor), both, 1);
+        m_.surface.metallic = number(share(pbr.metallicFactor), both, TextureChannel::Blue);
+        m_.surface.roughness = number(share(pbr.roughnessFactor), both, TextureChannel::Green);
     }
 
     void read_alpha() {
@@ -116,15 +116,16 @@ private:
         m_.color = color(base_factor_, base_);
         if (m_.alpha != AlphaMode::Opaque) m_.opacity = share(diffuse.w);
         m_.ior = kUsualIor;
-        m_.surface.metallic = {0, {}, 2};
+        m_.surface.metallic = {0, {}, TextureChannel::Blue};
         const TextureUse gloss = use_in(e, "specularGlossinessTexture");
         m_.surface.specular_color =
             color(vector_in(e, "specularFactor", Double3(1)) / kUsualF0, gloss);
         const double glossiness = share(number_in(e, "glossinessFactor", 1));
-        m_.surface.roughness = {1 - glossiness, {}, 1};
+        m_.surface.roughness = {1 - glossiness, {}, TextureChannel::Green};
         if (gloss.index >= 0)
             m_.surface.roughness = {
-                1, textures_.add(gloss, ColorSpace::Linear, where_, Double3(1), glossiness), 1};
+                1, textures_.add(gloss, ColorSpace::Linear, where_, Double3(1), glossiness),
+                TextureChannel::Green};
     }
 
     void read_ior(const tinygltf::Value& e) {
@@ -137,7 +138,8 @@ private:
     }
 
     void read_specular(const tinygltf::Value& e) {
-        m_.surface.specular = number_of(e, "specularFactor", 1, "specularTexture", 3);
+        m_.surface.specular =
+            number_of(e, "specularFactor", 1, "specularTexture", TextureChannel::Alpha);
         const Double3 factor = vector_in(e, "specularColorFactor", Double3(1));
         m_.surface.specular_color =
             color(reflects_all_ ? factor / kUsualF0 : factor, use_in(e, "specularColorTexture"));
@@ -146,10 +148,11 @@ private:
     void read_transmission() {
         PrincipledSurface& s = m_.surface;
         if (const auto* e = extension("KHR_materials_transmission"))
-            s.transmission = number_of(*e, "transmissionFactor", 0, "transmissionTexture", 0);
+            s.transmission =
+                number_of(*e, "transmissionFactor", 0, "transmissionTexture", TextureChannel::Red);
         if (const auto* e = extension("KHR_materials_diffuse_transmission")) {
-            s.diffuse_transmission =
-                number_of(*e, "diffuseTransmissionFactor", 0, "diffuseTransmissionTexture", 3);
+            s.diffuse_transmission = number_of(*e, "diffuseTransmissionFactor", 0,
+                                               "diffuseTransmissionTexture", TextureChannel::Alpha);
             s.diffuse_transmission_color =
                 color(vector_in(*e, "diffuseTransmissionColorFactor", Double3(1)),
                       use_in(*e, "diffuseTransmissionColorTexture"));
@@ -167,9 +170,9 @@ private:
 
     void read_coat(const tinygltf::Value& e) {
         PrincipledSurface& s = m_.surface;
-        s.coat = number_of(e, "clearcoatFactor", 0, "clearcoatTexture", 0);
-        s.coat_roughness =
-            number_of(e, "clearcoatRoughnessFactor", 0, "clearcoatRoughnessTexture", 1);
+        s.coat = number_of(e, "clearcoatFactor", 0, "clearcoatTexture", TextureChannel::Red);
+        s.coat_roughness = number_of(e, "clearcoatRoughnessFactor", 0, "clearcoatRoughnessTexture",
+                                     TextureChannel::Green);
         const TextureUse normal = use_in(e, "clearcoatNormalTexture");
         s.coat_normal = linear(normal);
         s.coat_normal_scale = normal.scale;
@@ -179,12 +182,13 @@ private:
         m_.surface.sheen_color =
             color(vector_in(e, "sheenColorFactor", Double3(0)), use_in(e, "sheenColorTexture"));
         m_.surface.sheen_roughness =
-            number_of(e, "sheenRoughnessFactor", 0, "sheenRoughnessTexture", 3);
+            number_of(e, "sheenRoughnessFactor", 0, "sheenRoughnessTexture", TextureChannel::Alpha);
     }
 
     void read_anisotropy(const tinygltf::Value& e) {
         const TextureUse texture = use_in(e, "anisotropyTexture");
-        m_.surface.anisotropy = number_of(e, "anisotropyStrength", 0, "anisotropyTexture", 2);
+        m_.surface.anisotropy =
+            number_of(e, "anisotropyStrength", 0, "anisotropyTexture", TextureChannel::Blue);
         m_.surface.anisotropy_rotation = number_in(e, "anisotropyRotation", 0) * kDegrees;
         if (texture.index >= 0)
             content_.unsupported.push_back(fmt::format(
@@ -195,13 +199,14 @@ private:
 
     void read_iridescence(const tinygltf::Value& e) {
         PrincipledSurface& s = m_.surface;
-        s.iridescence = number_of(e, "iridescenceFactor", 0, "iridescenceTexture", 0);
+        s.iridescence =
+            number_of(e, "iridescenceFactor", 0, "iridescenceTexture", TextureChannel::Red);
         s.iridescence_ior = std::max(number_in(e, "iridescenceIor", 1.3), 1.0);
         s.iridescence_thickness_low =
             std::max(number_in(e, "iridescenceThicknessMinimum", 100), 0.0);
         s.iridescence_thickness =
             number(std::max(number_in(e, "iridescenceThicknessMaximum", 400), 0.0),
-                   use_in(e, "iridescenceThicknessTexture"), 1);
+                   use_in(e, "iridescenceThicknessTexture"), TextureChannel::Green);
     }
 
     // Black, emitting the base colour; the colour's texture stays for its alpha.

@@ -1,7 +1,6 @@
 #include "gltf_read.h"
 
 #include "../mesh/mesh_finish.h"
-#include "../model/split_transform.h"
 #include "gltf_document.h"
 #include "gltf_extensions.h"
 #include "gltf_instances.h"

@@ -45,7 +45,7 @@ private:
 
     TexturedNumber number(double value, const std::string& file,
                           const tinyobj::texture_option_t& options) {
-        return {value, textures_.add(file, options, ColorSpace::Linear), 0};
+        return {value, textures_.add(file, options, ColorSpace::Linear), TextureChannel::Red};
     }
 
     // Exporters leave Kd black, or out, where an image says it all.

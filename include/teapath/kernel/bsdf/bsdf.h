@@ -3,6 +3,7 @@
 // material.h, a row in the enum table, a test. kFeatures leaves out the kinds that a scene has not.
 #pragma once
 
+#include <teapath/kernel/bsdf/conductor.h>
 #include <teapath/kernel/bsdf/dielectric.h>
 #include <teapath/kernel/bsdf/lambertian.h>
 #include <teapath/kernel/bsdf/metal.h>
@@ -11,29 +12,42 @@
 
 namespace tp {
 
+/// A direction in the frame of a shading normal; one that should be above does not graze.
+TP_HD Vec3 local_wo(const Frame& frame, Vec3 wo) {
+    const Vec3 local = frame.to_local(wo);
+    return {local.x, local.y, max(local.z, Real(1e-4))};
+}
+
 /// The lobes of a principled surface in the world.
 struct PlacedLobes {
     PrincipledLobes lobes;
     Frame frame;  // z is the shading normal
     AlbedoTables tables;
 
-    /// A direction in the frame; one that should be above does not graze.
-    TP_HD_MEMBER Vec3 local_wo(Vec3 wo) const {
-        const Vec3 local = frame.to_local(wo);
-        return {local.x, local.y, max(local.z, Real(1e-4))};
-    }
+    TP_HD_MEMBER Vec3 local_wo(Vec3 wo) const { return tp::local_wo(frame, wo); }
+};
+
+/// The facets of a conductor, or of a rough dielectric.
+struct PlacedFacets {
+    Frame frame;      // z is the shading normal
+    Real alpha;       // width of GGX; 0 is smooth
+    bool correlated;  // masking
+    Vec3 gain;        // times the tint: what makes up for multiple scattering
+    Vec3 eta, k;      // Conductor
 };
 
 struct Bsdf {
     MaterialKind kind;
     FresnelRule fresnel;
     ScatterRule scatter;
-    Vec3 color;   // albedo, reflectance or tint
-    Vec3 normal;  // unit, on the side of wo
-    Real fuzz;    // Metal
-    Real eta;     // Dielectric: index on the far side over index on the side of wo
+    Vec3 color;             // albedo, reflectance or tint
+    Vec3 normal;            // unit, on the side of wo
+    Real fuzz;              // Metal
+    Real eta;               // Dielectric: index on the far side over index on the side of wo
+    bool is_rough = false;  // Dielectric, Conductor
     union {
-        PlacedLobes principled;  // Principled; else not set
+        PlacedLobes principled;  // Principled
+        PlacedFacets facets;     // Conductor; Dielectric where it is_rough
     };
 
     TP_HD_MEMBER Bsdf() {}
@@ -43,7 +57,8 @@ struct Bsdf {
 TP_HD bool is_specular(const Bsdf& b) {
     switch (b.kind) {
         case MaterialKind::Metal: return b.fuzz <= 0;
-        case MaterialKind::Dielectric: return true;
+        case MaterialKind::Dielectric:
+        case MaterialKind::Conductor: return !b.is_rough;
         case MaterialKind::Lambertian:
         case MaterialKind::DiffuseLight:
         case MaterialKind::Principled: break;
@@ -57,10 +72,43 @@ TP_HD bool samples_with_third_number(const Bsdf& b) {
         case MaterialKind::Lambertian: return b.scatter == ScatterRule::CosineCubed;
         case MaterialKind::Metal: return b.fuzz > 0;
         case MaterialKind::Principled: return true;
-        case MaterialKind::Dielectric:
+        case MaterialKind::Dielectric: return b.is_rough;
+        case MaterialKind::Conductor:
         case MaterialKind::DiffuseLight: break;
     }
     return false;
+}
+
+/// The operations on facets: a rough dielectric, or a conductor.
+TP_HD Vec3 facets_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
+    const PlacedFacets& f = b.facets;
+    const Vec3 o = local_wo(f.frame, wo), i = f.frame.to_local(wi);
+    const Vec3 tint = b.color * f.gain;
+    if (b.kind == MaterialKind::Conductor)
+        return conductor_eval(f.eta, f.k, tint, f.alpha, f.correlated, o, i);
+    return tint * rough_dielectric_eval(b.fresnel, b.eta, f.alpha, f.correlated, o, i);
+}
+
+TP_HD Real facets_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
+    const PlacedFacets& f = b.facets;
+    const Vec3 o = local_wo(f.frame, wo), i = f.frame.to_local(wi);
+    return b.kind == MaterialKind::Conductor
+               ? conductor_pdf(f.alpha, o, i)
+               : rough_dielectric_pdf(b.fresnel, b.eta, f.alpha, o, i);
+}
+
+TP_HD BsdfSample facets_sample(const Bsdf& b, Vec3 wo, Vec2 u, Real u3) {
+    const PlacedFacets& f = b.facets;
+    const Vec3 o = local_wo(f.frame, wo), tint = b.color * f.gain;
+    BsdfSample s;
+    if (b.kind == MaterialKind::Conductor) {
+        s = conductor_sample(f.eta, f.k, tint, f.alpha, f.correlated, o, u);
+    } else {
+        s = rough_dielectric_sample(b.fresnel, b.eta, f.alpha, f.correlated, o, u, u3);
+        s.weight *= tint;
+    }
+    s.wi = f.frame.to_world(s.wi);
+    return s;
 }
 
 /// f(wo, wi) |cos(wi)|, without delta lobes.
@@ -75,6 +123,10 @@ TP_HD Vec3 bsdf_eval(const Bsdf& b, Vec3 wo, Vec3 wi) {
                                        b.principled.local_wo(wo), b.principled.frame.to_local(wi));
             break;
         case MaterialKind::Dielectric:
+        case MaterialKind::Conductor:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+                if (b.is_rough) return facets_eval(b, wo, wi);
+            break;
         case MaterialKind::DiffuseLight: break;
     }
     return {0, 0, 0};
@@ -92,6 +144,10 @@ TP_HD Real bsdf_pdf(const Bsdf& b, Vec3 wo, Vec3 wi) {
                                       b.principled.frame.to_local(wi));
             break;
         case MaterialKind::Dielectric:
+        case MaterialKind::Conductor:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+                if (b.is_rough) return facets_pdf(b, wo, wi);
+            break;
         case MaterialKind::DiffuseLight: break;
     }
     return 0;
@@ -104,7 +160,12 @@ TP_HD BsdfSample bsdf_sample(const Bsdf& b, Vec3 wo, Vec2 u, Real u3) {
         case MaterialKind::Lambertian:
             return lambertian_sample_by_rule(b.scatter, b.color, b.normal, u, u3);
         case MaterialKind::Metal: return metal_sample(b.color, b.fuzz, b.normal, wo, u, u3);
+        case MaterialKind::Conductor:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0) return facets_sample(b, wo, u, u3);
+            break;
         case MaterialKind::Dielectric:
+            if constexpr ((kFeatures & kFeaturePrincipled) != 0)
+                if (b.is_rough) return facets_sample(b, wo, u, u3);
             return dielectric_sample(b.color, b.eta, b.fresnel, b.normal, wo, u.x);
         case MaterialKind::Principled:
             if constexpr ((kFeatures & kFeaturePrincipled) != 0) {

@@ -4,6 +4,7 @@
 // scaled by 1 / eta^2, as basic radiance demands.
 #pragma once
 
+#include <teapath/kernel/bsdf/dielectric.h>
 #include <teapath/kernel/bsdf/ggx.h>
 
 namespace tp {
@@ -40,6 +41,57 @@ TP_HD Real ggx_refraction(GgxAlpha a, Vec3 wo, Vec3 wi, Vec3 h, Real eta, bool c
     const Real o = dot(wo, h), i = dot(wi, h);
     return ggx_density(a, h) * ggx_masking(a, wo, wi, correlated) * abs(i * o) /
            (wo.z * sqr(i + o / eta) * eta * eta);
+}
+
+/// The interface's reflectance by that rule.
+TP_HD Real dielectric_fresnel(FresnelRule rule, Real cos_i, Real eta) {
+    const Real cosine = min(cos_i, Real(1));
+    return rule == FresnelRule::Schlick ? fresnel_schlick(cosine, eta)
+                                        : fresnel_dielectric(cosine, eta);
+}
+
+/// f(wo, wi) |cos(wi)| of both lobes, white. Heights are correlated in reflection only.
+TP_HD Real rough_dielectric_eval(FresnelRule rule, Real eta, Real alpha, bool correlated, Vec3 wo,
+                                 Vec3 wi) {
+    const GgxAlpha a{alpha, alpha};
+    if (wi.z > 0) {
+        const Vec3 h = normalize(wo + wi);
+        return dielectric_fresnel(rule, dot(wo, h), eta) * ggx_reflection(a, wo, wi, h, correlated);
+    }
+    const Vec3 h = refraction_normal(wo, wi, eta);
+    if (!(h.z > 0)) return 0;
+    return (1 - dielectric_fresnel(rule, dot(wo, h), eta)) *
+           ggx_refraction(a, wo, wi, h, eta, false);
+}
+
+TP_HD Real rough_dielectric_pdf(FresnelRule rule, Real eta, Real alpha, Vec3 wo, Vec3 wi) {
+    const GgxAlpha a{alpha, alpha};
+    if (wi.z > 0) {
+        const Vec3 h = normalize(wo + wi);
+        return dielectric_fresnel(rule, dot(wo, h), eta) * ggx_reflection_pdf(a, wo, h);
+    }
+    const Vec3 h = refraction_normal(wo, wi, eta);
+    if (!(h.z > 0)) return 0;
+    return (1 - dielectric_fresnel(rule, dot(wo, h), eta)) * refraction_pdf(a, wo, wi, h, eta);
+}
+
+/// Picks a facet, then by its reflectance one of the lobes with `choice` in [0, 1).
+TP_HD BsdfSample rough_dielectric_sample(FresnelRule rule, Real eta, Real alpha, bool correlated,
+                                         Vec3 wo, Vec2 u, Real choice) {
+    const Vec3 h = sample_ggx_normal({alpha, alpha}, wo, u);
+    BsdfSample sample;
+    if (choice < dielectric_fresnel(rule, dot(wo, h), eta)) {
+        sample.wi = reflect(wo, h);
+        if (!(sample.wi.z > 0)) return {};
+    } else {
+        if (!refract(wo, h, eta, sample.wi) || !(sample.wi.z < 0)) return {};
+        sample.eta_scale = sqr(eta);
+    }
+    sample.pdf = rough_dielectric_pdf(rule, eta, alpha, wo, sample.wi);
+    if (!(sample.pdf > 0)) return {};
+    sample.weight =
+        Vec3(rough_dielectric_eval(rule, eta, alpha, correlated, wo, sample.wi) / sample.pdf);
+    return sample;
 }
 
 }  // namespace tp

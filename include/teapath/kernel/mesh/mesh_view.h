@@ -3,6 +3,7 @@
 #pragma once
 
 #include <teapath/kernel/bvh_node.h>
+#include <teapath/kernel/kinds.h>
 
 namespace tp {
 
@@ -19,7 +20,7 @@ struct MeshTriangle {
 struct MeshAttributes {
     const Vec3* normals = nullptr;
     const Vec4* tangents = nullptr;  // w: sign of the bitangent w * n x t
-    const Vec2* uvs[2] = {nullptr, nullptr};
+    const Vec2* uvs[kUvSets] = {nullptr, nullptr};
     const Vec4* colors = nullptr;  // linear, with alpha
 };
 

@@ -1,0 +1,113 @@
+// Inspector of the principled surface: its lobes from the base outwards.
+#include "inspector.h"
+#include "texture_slots.h"
+
+namespace tp {
+namespace {
+
+ui::NumberRow share(const char* name, const char* help) {
+    return {.name = name, .help = help, .speed = 0.003, .low = 0, .high = 1};
+}
+
+void base_rows(PropertyRows<Material>& rows) {
+    slot(
+        rows, share("Metallic", "0 is a dielectric, 1 a metal"),
+        [](auto& m) -> auto& { return m.surface.metallic; });
+    slot(
+        rows, share("Roughness", "0 is smooth; GGX's alpha is its square"),
+        [](auto& m) -> auto& { return m.surface.roughness; });
+    rows.number(
+        {.name = "Index",
+         .help = "Index of refraction of the dielectric: water 1.33, plastic 1.5, diamond 2.42",
+         .speed = 0.003,
+         .low = 1,
+         .high = 100},
+        [](auto& m) -> auto& { return m.ior; });
+    slot(
+        rows, share("Specular", "Strength of the dielectric's reflection"),
+        [](auto& m) -> auto& { return m.surface.specular; });
+    slot(
+        rows,
+        {.name = "Specular colour", .help = "Tint of the dielectric's reflection seen head-on"},
+        [](auto& m) -> auto& { return m.surface.specular_color; });
+    slot(
+        rows, share("Anisotropy", "Stretches reflections along the tangent, as of brushed metal"),
+        [](auto& m) -> auto& { return m.surface.anisotropy; });
+    if (rows.active().surface.anisotropy.value > 0)
+        rows.number(
+            {.name = "Direction",
+             .help = "From the tangent, counter-clockwise",
+             .speed = 0.5,
+             .decimals = 1,
+             .unit = "\xc2\xb0"},
+            [](auto& m) -> auto& { return m.surface.anisotropy_rotation; });
+    slot(
+        rows, {.name = "Normal map", .help = "An image of normals in tangent space"},
+        [](auto& m) -> auto& { return m.surface.normal; });
+    if (rows.active().surface.normal)
+        rows.number(
+            {.name = "Normal scale", .help = "Exaggerates or flattens the map", .speed = 0.01},
+            [](auto& m) -> auto& { return m.surface.normal_scale; });
+}
+
+void transmission_rows(PropertyRows<Material>& rows) {
+    slot(
+        rows, share("Transmission", "Share of light that is refracted instead of scattered"),
+        [](auto& m) -> auto& { return m.surface.transmission; });
+    if (rows.active().surface.transmission.value > 0) {
+        rows.toggle(
+            "Thin", "A wall without an inside: light goes straight on",
+            [](auto& m) -> auto& { return m.surface.thin; });
+        if (!rows.active().surface.thin) {
+            rows.number(
+                {.name = "Absorbs over",
+                 .help = "Distance in scene units until white light has the colour below; 0: never",
+                 .speed = 0.01,
+                 .low = 0,
+                 .relative = true},
+                [](auto& m) -> auto& { return m.surface.attenuation_distance; });
+            rows.color(
+                "Absorbs to", "What is left of white light after that distance",
+                [](auto& m) -> auto& { return m.surface.attenuation_color; });
+        }
+    }
+    slot(
+        rows, share("Translucency", "Share of the diffuse light that goes through, as in leaves"),
+        [](auto& m) -> auto& { return m.surface.diffuse_transmission; });
+    if (rows.active().surface.diffuse_transmission.value > 0)
+        slot(
+            rows,
+            {.name = "Translucent colour", .help = "Colour of the diffuse light that goes through"},
+            [](auto& m) -> auto& { return m.surface.diffuse_transmission_color; });
+}
+
+void layer_rows(PropertyRows<Material>& rows) {
+    slot(
+        rows, share("Coat", "A clear varnish of index 1.5 on top"),
+        [](auto& m) -> auto& { return m.surface.coat; });
+    if (rows.active().surface.coat.value > 0)
+        slot(
+            rows, share("Coat roughness", "Roughness of the varnish"),
+            [](auto& m) -> auto& { return m.surface.coat_roughness; });
+    slot(
+        rows, {.name = "Sheen", .help = "Colour of the soft rim of cloth; black is none"},
+        [](auto& m) -> auto& { return m.surface.sheen_color; });
+    const TexturedColor& sheen = rows.active().surface.sheen_color;
+    if (sheen.texture || sheen.color != Double3(0))
+        slot(
+            rows, share("Sheen roughness", "Width of the rim"),
+            [](auto& m) -> auto& { return m.surface.sheen_roughness; });
+}
+
+}  // namespace
+
+void principled_rows(PropertyRows<Material>& rows) {
+    base_rows(rows);
+    transmission_rows(rows);
+    layer_rows(rows);
+    rows.toggle(
+        "Compensation", "Gives back the energy that rough surfaces lose by single scattering",
+        [](auto& m) -> auto& { return m.surface.compensation; });
+}
+
+}  // namespace tp
