@@ -24,7 +24,7 @@ struct StbFree {
 };
 
 // Pixels that stb decoded, in the bit depth of the file.
-Image read_stb(const std::string& bytes, const std::string& file) {
+Image read_stb(std::string_view bytes, const std::string& file) {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
     int width = 0, height = 0, channels = 0;
@@ -69,7 +69,7 @@ Image read_stb(const std::string& bytes, const std::string& file) {
 
 }  // namespace
 
-Image read_image_from_memory(const std::string& bytes, const std::string& name) {
+Image read_image_from_memory(std::string_view bytes, const std::string& name) {
     if (bytes.size() > kMaxFileBytes)
         throw Error(ErrorKind::Input, "the image is larger than 2 GiB", name, "make it smaller");
     if (is_webp(bytes)) return read_webp(bytes, name);
@@ -81,6 +81,22 @@ Image read_image_from_memory(const std::string& bytes, const std::string& name) 
                     fmt::format("the OpenEXR file cannot be read: {}", error.what()), name,
                     "export it again");
     }
+}
+
+uint64_t bytes_of_image(std::string_view bytes) {
+    if (bytes.size() > kMaxFileBytes) return 0;
+    if (is_webp(bytes)) return bytes_of_webp(bytes);
+    if (is_exr(bytes)) return bytes_of_exr(bytes);
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels) || width < 1 || height < 1)
+        return 0;
+    const uint64_t depth = stbi_is_hdr_from_memory(data, size)                                  ? 4
+                           : stbi_is_16_bit_from_memory(data, size) || is_psd_of_16_bits(bytes) ? 2
+                                                                                                : 1;
+    return static_cast<uint64_t>(width) * static_cast<uint64_t>(height) *
+           static_cast<uint64_t>(channels) * depth;
 }
 
 Image read_image(const std::filesystem::path& file) {
