@@ -1,4 +1,5 @@
 // glTF: materials, their extensions and textures.
+#include "io/gltf/gltf_read.h"
 #include "support/gltf_files.h"
 #include "support/shipped_scenes.h"
 
@@ -183,4 +184,25 @@ TEST_CASE("gltf materials: a missing or damaged image is a sentence, not a refus
         folder.gltf_refusal(triangle_json(R"({"mesh": 0})", R"(, "material": 0)",
                                           R"(, "materials": [{"normalTexture": {"index": 8}}])")),
         "no texture 8"));
+}
+
+TEST_CASE("gltf materials: an image larger than the memory at hand is a sentence") {
+    const ModelFolder folder;
+    std::string png = png_bytes(folder);
+    png[18] = png[22] = 0x20;  // 8194 x 8193 pixels, says the header
+    CHECK(bytes_of_image(png) == uint64_t{8194} * 8193 * 3);
+    ModelSource source;
+    source.name = "a.gltf";
+    source.memory = uint64_t{64} << 20;
+    const ModelContent content =
+        read_gltf("{\"asset\": {\"version\": \"2.0\"}, " +
+                      triangle_json(R"({"mesh": 0})", R"(, "material": 0)",
+                                    R"(, "materials": [{"normalTexture": {"index": 0}}],
+                          "textures": [{"source": 0}], "images": [{"uri": "data:;base64,)" +
+                                        base64(png) + "\"}]") +
+                      "}",
+                  source);
+    CHECK_FALSE(content.textures.at(0).file.image);
+    REQUIRE(content.unsupported.size() == 1);
+    CHECK(says(content.unsupported[0], "192 MiB"));
 }

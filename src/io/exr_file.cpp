@@ -73,6 +73,20 @@ bool is_exr(std::string_view bytes) {
     return bytes.size() >= 4 && std::memcmp(bytes.data(), "\x76\x2f\x31\x01", 4) == 0;
 }
 
+uint64_t bytes_of_exr(std::string_view bytes) {
+    try {
+        MemoryInput stream(bytes);
+        const Imath::Box2i window = Imf::InputFile(stream).header().dataWindow();
+        const double width = double{1} + window.max.x - window.min.x,
+                     height = double{1} + window.max.y - window.min.y;
+        return width > 0 && height > 0 && width * height < 1e15
+                   ? static_cast<uint64_t>(width * height) * 16
+                   : 0;
+    } catch (const std::exception&) {
+        return 0;
+    }
+}
+
 Image read_exr(std::string_view bytes) {
     MemoryInput stream(bytes);
     Imf::InputFile file(stream);

@@ -11,6 +11,9 @@ namespace tp {
 /// True if the bytes begin as an OpenEXR file does.
 bool is_exr(std::string_view bytes);
 
+/// Bytes that its pixels will take at most, 0 if its header is damaged.
+uint64_t bytes_of_exr(std::string_view bytes);
+
 /// R, G, B and maybe A, or Y alone, as floats; the data window is the picture. Throws
 /// std::exception for what it cannot read.
 Image read_exr(std::string_view bytes);

@@ -70,8 +70,10 @@ bool has_whole_runs(std::string_view hdr, int width, int height) {
 }
 
 bool has_sound_huffman_tables(std::string_view bytes) {
-    if (!bytes.starts_with("\xff\xd8")) return true;
-    for (size_t at = 2;;) {
+    // The first marker too may have padding before it.
+    const size_t start = bytes.find_first_not_of('\xff');
+    if (start == 0 || start == bytes.npos || byte_at(bytes, start) != 0xd8) return true;
+    for (size_t at = start + 1;;) {
         // The next marker, over padding and over a scan's data.
         while (at < bytes.size() && byte_at(bytes, at) != 0xff)
             ++at;

@@ -12,6 +12,13 @@ bool is_webp(std::string_view bytes) {
     return bytes.size() >= 12 && bytes.starts_with("RIFF") && bytes.substr(8, 4) == "WEBP";
 }
 
+uint64_t bytes_of_webp(std::string_view bytes) {
+    WebPBitstreamFeatures features;
+    const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
+    if (WebPGetFeatures(data, bytes.size(), &features) != VP8_STATUS_OK) return 0;
+    return static_cast<uint64_t>(features.width) * static_cast<uint64_t>(features.height) * 4;
+}
+
 Image read_webp(std::string_view bytes, const std::string& name) {
     const auto* data = reinterpret_cast<const uint8_t*>(bytes.data());
     const auto fail = [&](const char* what, const char* remedy) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tp {
@@ -16,7 +17,10 @@ namespace tp {
 Image read_image(const std::filesystem::path& file);
 
 /// The same from the bytes of a file; `name` stands for it in messages.
-Image read_image_from_memory(const std::string& bytes, const std::string& name);
+Image read_image_from_memory(std::string_view bytes, const std::string& name);
+
+/// Bytes that its pixels will take, by its header; 0 if that is damaged.
+uint64_t bytes_of_image(std::string_view bytes);
 
 /// One named plane of a render, float, row-major, top row first.
 struct ImageLayer {

@@ -66,6 +66,9 @@ public:
 
     GltfDocument open() {
         const GltfContainer container = open_container(*file_, source_.name);
+        if (container.json.find_first_not_of(" \t\r\n") == std::string_view::npos)
+            throw Error(ErrorKind::Input, "the file is empty", source_.name,
+                        "export the model again");
         Json root = parse_json(container.json, source_.name);
         if (!root.is_object())
             throw Error(ErrorKind::Input, "this is not a glTF file", source_.name,

@@ -172,16 +172,18 @@ TextureId GltfTextures::add(const TextureUse& use, ColorSpace space, const std::
     return entry->second;
 }
 
-std::shared_ptr<const Image> GltfTextures::load(size_t index) const {
+std::shared_ptr<const Image> GltfTextures::load(size_t index) {
     const GltfImage& image = document_.images[index];
     const std::string where = document_.place("images", index);
-    std::string bytes;
+    std::string file;
+    std::string_view bytes;
     if (image.bytes)
         bytes = *image.bytes;
     else if (!image.uri.empty())
-        bytes = read_beside(*document_.source, image.uri, "an image", where);
+        bytes = file = read_beside(*document_.source, image.uri, "an image", where);
     else
         bytes = bytes_of_view(document_, image.view, where);
+    budget_.take(bytes);
     return std::make_shared<const Image>(read_image_from_memory(bytes, where));
 }
 

@@ -35,7 +35,7 @@ public:
     static constexpr double kAsItIs = -1;
 
     GltfTextures(const GltfDocument& document, ModelContent& content)
-        : document_(document), content_(content) {}
+        : document_(document), content_(content), budget_(*document.source) {}
 
     /// The id of the texture for such a use, 0 where there is none. Throws Error(Input) at `where`
     /// for an index that does not exist. With a `glossiness` from 0 upwards its pixels become
@@ -48,7 +48,7 @@ public:
 
 private:
     int image_of(const tinygltf::Texture& texture) const;
-    std::shared_ptr<const Image> load(size_t image) const;
+    std::shared_ptr<const Image> load(size_t image);
 
     using Key = std::tuple<int, int, double, double, double, double, double, int, double, double,
                            double, double>;
@@ -59,6 +59,7 @@ private:
 
     const GltfDocument& document_;
     ModelContent& content_;
+    ImageBudget budget_;
     std::map<Key, TextureId> known_;
     std::vector<Source> sources_;  // of each texture of the content
     UniqueNames paths_;

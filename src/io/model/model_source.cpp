@@ -3,6 +3,7 @@
 #include "../whole_file.h"
 
 #include <teapath/core/error.h>
+#include <teapath/io/image_file.h>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -63,6 +64,11 @@ void check_memory(const ModelSource& source, double bytes) {
                 fmt::format("the model needs {:.0f} MiB, and {:.0f} can be had", bytes / kMebi,
                             static_cast<double>(memory_for(source)) / kMebi),
                 source.name, "take a smaller model, or a machine with more memory");
+}
+
+void ImageBudget::take(std::string_view bytes) {
+    const uint64_t wanted = bytes_of_image(bytes);
+    check_memory(source_, static_cast<double>(taken_.fetch_add(wanted) + wanted));
 }
 
 }  // namespace tp

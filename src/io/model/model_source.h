@@ -2,6 +2,7 @@
 // libraries.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -30,6 +31,18 @@ std::string read_beside(const ModelSource& source, std::string_view name, const 
 
 /// Bytes that a model may take: source.memory, or three quarters of what the machine has.
 uint64_t memory_for(const ModelSource& source);
+
+/// What the images of a model may take, counted before each is decoded, on any thread.
+class ImageBudget {
+public:
+    explicit ImageBudget(const ModelSource& source) : source_(source) {}
+    /// Throws Error(Input) if this image would take what is more than memory_for.
+    void take(std::string_view bytes);
+
+private:
+    const ModelSource& source_;
+    std::atomic<uint64_t> taken_{0};
+};
 
 /// Throws Error(Input) if that many bytes are more than memory_for.
 void check_memory(const ModelSource& source, double bytes);

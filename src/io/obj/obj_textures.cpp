@@ -85,9 +85,10 @@ TextureId ObjTextures::add(const std::string& file, const tinyobj::texture_optio
     return entry->second;
 }
 
-std::shared_ptr<const Image> ObjTextures::load(const Files& files) const {
+std::shared_ptr<const Image> ObjTextures::load(const Files& files) {
     const auto read = [&](const std::string& file) {
         const std::string bytes = read_beside(source_, file, "an image", source_.name);
+        budget_.take(bytes);
         return read_image_from_memory(bytes, file);
     };
     if (files.alpha.empty()) return std::make_shared<const Image>(read(files.color));

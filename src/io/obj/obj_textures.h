@@ -17,7 +17,7 @@ namespace tp {
 class ObjTextures {
 public:
     ObjTextures(const ModelSource& source, ModelContent& content)
-        : source_(source), content_(content) {}
+        : source_(source), content_(content), budget_(source) {}
 
     /// The id of the texture of an image file as an MTL line names it; 0 where `file` is empty.
     /// With `alpha`, the name of another file, that one's grey becomes the alpha.
@@ -35,10 +35,11 @@ private:
         std::string color, alpha;
         auto operator<=>(const Files&) const = default;
     };
-    std::shared_ptr<const Image> load(const Files& files) const;
+    std::shared_ptr<const Image> load(const Files& files);
 
     const ModelSource& source_;
     ModelContent& content_;
+    ImageBudget budget_;
     std::map<std::string, TextureId> known_;
     std::vector<Files> files_;  // of each texture of the content
     UniqueNames paths_;
