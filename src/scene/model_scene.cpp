@@ -3,14 +3,15 @@
 #include <teapath/scene/scene.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace tp {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kMargin = 1.08;  // of the picture around the model
+constexpr double kMargin = 1.08;        // of the picture around the model
+constexpr size_t kMostPoints = 200000;  // that are looked at
+constexpr int kCenterings = 4;
 
 struct Box {
     Double3 low{1e300}, high{-1e300};
@@ -18,33 +19,45 @@ struct Box {
     bool is_empty() const { return low.x > high.x; }
     Double3 center() const { return (low + high) * 0.5; }
     double radius() const { return std::max(glm::distance(low, high) / 2, 1e-6); }
-    std::array<Double3, 8> corners() const {
-        std::array<Double3, 8> points;
-        for (size_t i = 0; i < 8; ++i)
-            points[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
-                         (i & 4) != 0 ? high.z : low.z};
-        return points;
+    void add(const Double3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
     }
 };
 
-Box box_around(const std::vector<Object>& objects) {
-    Box box;
-    for (const Object& object : objects) {
+// Vertices of the visible meshes in the world, no more of them than it takes to see their outline.
+std::vector<Double3> points_of(const std::vector<Object>& objects) {
+    size_t total = 0;
+    const auto mesh_of = [](const Object& object) -> const Mesh* {
         const auto* shape = std::get_if<MeshShape>(&object.shape);
-        if (!shape || !shape->file.mesh || !object.visible) continue;
-        const DoubleMat4 world = world_from_object(object.transform) * DoubleMat4(shape->placement);
-        const Box own{Double3(shape->file.mesh->low), Double3(shape->file.mesh->high)};
-        for (const Double3& corner : own.corners()) {
-            const Double3 p(world * Double4(corner, 1));
-            box.low = glm::min(box.low, p);
-            box.high = glm::max(box.high, p);
-        }
+        return shape && object.visible ? shape->file.mesh.get() : nullptr;
+    };
+    for (const Object& object : objects)
+        if (const Mesh* mesh = mesh_of(object)) total += mesh->positions.size();
+    const size_t step = total / kMostPoints + 1;
+    std::vector<Double3> points;
+    for (const Object& object : objects) {
+        const Mesh* mesh = mesh_of(object);
+        if (!mesh) continue;
+        const DoubleMat4 world = world_from_object(object.transform) *
+                                 DoubleMat4(std::get<MeshShape>(object.shape).placement);
+        for (size_t i = 0; i < mesh->positions.size(); i += step)
+            points.emplace_back(world * Double4(Double3(mesh->positions[i]), 1));
     }
-    return box.is_empty() ? Box{Double3(-1), Double3(1)} : box;
+    if (points.empty()) points = {Double3(-1), Double3(1)};
+    return points;
 }
 
-// Looks at the box from the front, a little from the right and from above, as near as shows it all.
-Camera camera_around(const Box& box, double aspect) {
+Box box_around(const std::vector<Double3>& points) {
+    Box box;
+    for (const Double3& p : points)
+        box.add(p);
+    return box;
+}
+
+// Looks at the points from the front, a little from the right and from above, as near as shows all
+// of them, in the middle of the picture.
+Camera camera_around(const std::vector<Double3>& points, double aspect) {
     Camera camera;
     camera.name = "view";
     camera.vertical_fov = 35;
@@ -52,21 +65,37 @@ Camera camera_around(const Box& box, double aspect) {
     const Double3 right = glm::normalize(glm::cross(Double3(0, 1, 0), back));
     const Double3 up = glm::cross(back, right);
     const double tan_y = std::tan(camera.vertical_fov / 2 * kPi / 180), tan_x = tan_y * aspect;
-    double distance = 0;
-    for (const Double3& corner : box.corners()) {
-        const Double3 p = corner - box.center();
-        const double across =
-            std::max(std::abs(glm::dot(p, right)) / tan_x, std::abs(glm::dot(p, up)) / tan_y);
-        distance = std::max(distance, glm::dot(p, back) + kMargin * across);
-    }
+    const Box box = box_around(points);
     camera.look_at = box.center();
-    camera.look_from = box.center() + back * std::max(distance, 1e-3 * box.radius());
+    double distance = 0;
+    for (int round = 0; round < kCenterings; ++round) {
+        distance = 1e-3 * box.radius();
+        for (const Double3& point : points) {
+            const Double3 p = point - camera.look_at;
+            const double across =
+                std::max(std::abs(glm::dot(p, right)) / tan_x, std::abs(glm::dot(p, up)) / tan_y);
+            distance = std::max(distance, glm::dot(p, back) + kMargin * across);
+        }
+        if (round + 1 == kCenterings) break;
+        // Where the points are in the picture, at distance 1.
+        Double2 low(1e300), high(-1e300);
+        for (const Double3& point : points) {
+            const Double3 p = point - camera.look_at;
+            const double depth = std::max(distance - glm::dot(p, back), 1e-9);
+            const Double2 seen = Double2(glm::dot(p, right), glm::dot(p, up)) / depth;
+            low = glm::min(low, seen);
+            high = glm::max(high, seen);
+        }
+        const Double2 middle = (low + high) * 0.5 * distance;
+        camera.look_at += right * middle.x + up * middle.y;
+    }
+    camera.look_from = camera.look_at + back * distance;
     return camera;
 }
 
 // A soft lamp from the upper left before the model, a third brighter than the sky.
 void add_lamp(Scene& scene, const Box& box) {
-    constexpr double kIrradiance = 2.2, kDistance = 3, kSide = 1.4;  // the last two in radii
+    constexpr double kIrradiance = 3, kDistance = 3, kSide = 1.4;  // the last two in radii
     Material light;
     light.id = {1};
     for (const Material& m : scene.materials)
@@ -94,12 +123,12 @@ void add_lamp(Scene& scene, const Box& box) {
 }  // namespace
 
 std::pair<Double3, Double3> box_of(const std::vector<Object>& objects) {
-    const Box box = box_around(objects);
+    const Box box = box_around(points_of(objects));
     return {box.low, box.high};
 }
 
 Camera camera_in_front(const std::vector<Object>& objects, double aspect) {
-    return camera_around(box_around(objects), aspect);
+    return camera_around(points_of(objects), aspect);
 }
 
 Scene scene_of_model(Model model) {
@@ -107,14 +136,15 @@ Scene scene_of_model(Model model) {
     scene.name = model.name;
     const std::shared_ptr<const ModelContent> content = model.content;
     add_model(scene, std::move(model));
-    const Box box = box_around(scene.objects);
+    const std::vector<Double3> points = points_of(scene.objects);
+    const Box box = box_around(points);
     if (content) scene.cameras = content->cameras;
     const double aspect = static_cast<double>(scene.render.width) / scene.render.height;
-    if (scene.cameras.empty()) scene.cameras.push_back(camera_around(box, aspect));
+    if (scene.cameras.empty()) scene.cameras.push_back(camera_around(points, aspect));
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         scene.cameras[i].id = {static_cast<uint32_t>(i) + 1};
-    scene.background.bottom = Double3(0.22, 0.22, 0.24);
-    scene.background.top = Double3(0.45, 0.48, 0.52);
+    scene.background.bottom = Double3(0.3, 0.3, 0.32);
+    scene.background.top = Double3(0.6, 0.63, 0.68);
     if (content && !content->lights.empty())
         scene.background.strength = 0.3;
     else
