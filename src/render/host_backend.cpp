@@ -3,8 +3,7 @@
 #include "variants.h"
 
 #include <teapath/core/parallel.h>
-#include <teapath/device/albedo_arrays.h>
-#include <teapath/device/srgb_table.h>
+#include <teapath/device/host_view.h>
 #include <teapath/kernel/features.h>
 #include <teapath/kernel/post.h>
 #include <teapath/kernel/trace_pixel.h>
@@ -38,26 +37,7 @@ public:
 
     void upload(const SceneArrays& arrays, SceneParts) override {
         arrays_ = arrays;
-        SceneView& scene = params_.scene;
-        scene.hittables = make_span(std::as_const(arrays_.hittables));
-        scene.nodes = make_span(std::as_const(arrays_.nodes));
-        meshes_.clear();
-        for (const MeshOfScene& mesh : arrays_.meshes)
-            meshes_.push_back(mesh.arrays->view());
-        scene.meshes = make_span(std::as_const(meshes_));
-        scene.instances = make_span(std::as_const(arrays_.instances));
-        scene.lights = make_span(std::as_const(arrays_.lights));
-        scene.materials = make_span(std::as_const(arrays_.materials));
-        scene.material_ids = make_span(std::as_const(arrays_.material_ids));
-        scene.principled = make_span(std::as_const(arrays_.principled));
-        if (needs_albedo_tables(arrays_)) scene.albedo_tables = albedo_arrays().view();
-        scene.textures = make_span(std::as_const(arrays_.textures));
-        scene.texels = reinterpret_cast<const unsigned char*>(arrays_.texels.data());
-        scene.srgb_table = srgb_table().data();
-        scene.background = arrays_.background;
-        scene.environment = arrays_.environment ? arrays_.environment->view() : EnvironmentView{};
-        scene.bounds = arrays_.bounds;
-        scene.brute_force = arrays_.brute_force;
+        params_.scene = host_view(arrays_, meshes_);
         params_.camera = arrays_.camera;
         params_.settings = arrays_.settings;
         params_.key = tea_key(0, arrays_.settings.seed, arrays_.settings.key_rounds);

@@ -6,7 +6,7 @@
 #include "support/scene_maker.h"
 #include "support/shipped_scenes.h"
 
-#include <teapath/core/color.h>
+#include <teapath/device/host_view.h>
 #include <teapath/io/scene_file.h>
 
 #include <algorithm>
@@ -53,20 +53,9 @@ Scene full_scene() {
 }
 
 LaunchParams host_params(const SceneArrays& arrays, int width, int height,
-                         std::vector<float>& table) {
-    for (int i = 0; i < 256; ++i)
-        table.push_back(linear_from_srgb(static_cast<float>(i) / 255.0f));
+                         std::vector<MeshView>& meshes) {
     LaunchParams params;
-    params.scene.hittables = make_span(arrays.hittables);
-    params.scene.nodes = make_span(arrays.nodes);
-    params.scene.lights = make_span(arrays.lights);
-    params.scene.materials = make_span(arrays.materials);
-    params.scene.material_ids = make_span(arrays.material_ids);
-    params.scene.textures = make_span(arrays.textures);
-    params.scene.texels = reinterpret_cast<const unsigned char*>(arrays.texels.data());
-    params.scene.srgb_table = table.data();
-    params.scene.background = arrays.background;
-    params.scene.bounds = arrays.bounds;
+    params.scene = host_view(arrays, meshes);
     params.camera = arrays.camera;
     params.settings = arrays.settings;
     params.key = tea_key(0, arrays.settings.seed, arrays.settings.key_rounds);
@@ -130,8 +119,8 @@ TEST_CASE("each step gives the same on host and CUDA, within a few ulp") {
     const Scene scene = full_scene();
     SceneArrays arrays;
     flatten(scene, SceneParts::All, arrays);
-    std::vector<float> table;
-    const LaunchParams params = host_params(arrays, 160, 120, table);
+    std::vector<MeshView> meshes;
+    const LaunchParams params = host_params(arrays, 160, 120, meshes);
     const std::vector<StepInput> inputs = record_inputs(params);
     const std::vector<StepOutput> device = steps_on_device(arrays, 160, 120, inputs);
 
@@ -185,8 +174,8 @@ void check_paths(const char* name, const Scene& scene) {
     constexpr int kWidth = 160, kHeight = 120;
     SceneArrays arrays;
     flatten(scene, SceneParts::All, arrays);
-    std::vector<float> table;
-    const LaunchParams params = host_params(arrays, kWidth, kHeight, table);
+    std::vector<MeshView> meshes;
+    const LaunchParams params = host_params(arrays, kWidth, kHeight, meshes);
     const std::vector<Vec3> device = paths_on_device(arrays, kWidth, kHeight, 3);
     size_t parted = 0;
     double host_sum = 0, device_sum = 0;
