@@ -122,8 +122,8 @@ TEST_CASE(
     t.run([&](ImGuiTestContext* ctx) {
         ctx->KeyPress(ImGuiMod_Ctrl | ImGuiKey_O);
         ctx->Yield(3);
-        choose_in_browser(ctx, "Open a scene", folder);  // goes into it
-        choose_in_browser(ctx, "Open a scene", "other.json");
+        choose_in_browser(ctx, "Open a scene or a model", folder);  // goes into it
+        choose_in_browser(ctx, "Open a scene or a model", "other.json");
         CHECK(WindowTest::yield_until(ctx, [&] { return t.scene().name == "browsed"; }));
         CHECK(t.app->ui.preferences.folders["scene"] == folder.string());
         CHECK(t.app->ui.preferences.recent_files.front() == (folder / "other.json").string());

@@ -14,7 +14,7 @@ namespace tp {
 struct PanelContext;
 
 struct FileQuestion {
-    std::string title;   // "Open a scene"
+    std::string title;   // "Open a scene or a model"
     std::string accept;  // the button: "Open", "Save"
     bool saves = false;  // the file may be new; a replaced one is asked about
     std::vector<FileFilter> filters;
