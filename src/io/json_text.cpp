@@ -192,4 +192,15 @@ std::string pretty_json(const Json& json, int indent) {
     return text + "\n" + std::string(margin, ' ') + (json.is_object() ? "}" : "]");
 }
 
+const char* type_name(const Json& json) {
+    switch (json.type()) {
+        case Json::value_t::null: return "null";
+        case Json::value_t::object: return "an object";
+        case Json::value_t::array: return "a list";
+        case Json::value_t::string: return "a string";
+        case Json::value_t::boolean: return "true or false";
+        default: return "a number";
+    }
+}
+
 }  // namespace tp
