@@ -272,7 +272,8 @@ TEST_CASE("dialogs: a dropped model stands in view with its materials, and is pl
     CHECK(scene_text(again).find("objects\": {") == std::string::npos);  // nothing is changed
 
     t.run([&](ImGuiTestContext* ctx) {
-        ctx->ItemClick("//Inspector/Select its objects");
+        ctx->SetRef("//Inspector");
+        ctx->ItemClick("**/Select its objects");
         ctx->Yield(2);
     });
     CHECK(t.app->document.selection.size() == 2);
