@@ -96,8 +96,8 @@ TEST_CASE("environment: directions follow the density") {
 }
 
 TEST_CASE("environment: the light's integral by its samples, with little noise") {
-    for (const auto& [width, height] : {std::pair{64, 32}, std::pair{5000, 40}}) {
-        const Sky sky(width, height, 10);
+    for (const auto& size : {std::pair{64, 32}, std::pair{5000, 40}}) {
+        const Sky sky(size.first, size.second, 10);
         // By quadrature over the image.
         double integral = 0;
         constexpr int kRows = 1000, kColumns = 2000;
@@ -120,7 +120,7 @@ TEST_CASE("environment: the light's integral by its samples, with little noise")
             sum += value / kCount;
             squares += value * value / kCount;
         }
-        CAPTURE(width);
+        CAPTURE(size.first);
         CHECK(sum == doctest::Approx(integral).epsilon(0.01));
         // Uniform directions would have more than ten times this deviation.
         CHECK(std::sqrt(squares - sum * sum) < 1.5 * integral);
