@@ -59,6 +59,20 @@ public:
         s.background.color = color();
         s.background.file.path = "sky.hdr";
         s.background.rotation = number();
+        s.background.tint = color();
+        s.background.backdrop = kind<BackdropKind>();
+        s.background.backdrop_color = color();
+        s.background.backdrop_file.path = "clouds.hdr";
+        s.background.sky.sun_by = kind<SunRule>();
+        s.background.sky.sun_elevation = 10.0 * below(9);
+        s.background.sky.hour = below(24);
+        s.background.sky.haze = below(20);
+        s.background.sky.ground = color();
+        s.render.path.light_rule = kind<LightRule>();
+        s.render.path.clamp_direct = static_cast<float>(below(5));
+        s.render.path.terminator_fix = below(2);
+        s.display.rule = kind<ExposureRule>();
+        s.display.iso = static_cast<float>(1 + below(800));
         s.render.width = 1 + static_cast<int>(below(65536));
         s.render.height = 1 + static_cast<int>(below(4096));
         s.render.path.integrator = kind<IntegratorKind>();
@@ -104,6 +118,11 @@ private:
         c.name = name();
         c.look_from = {number(), number(), 2000};
         c.aperture = std::abs(number());
+        c.projection = kind<ProjectionKind>();
+        c.film_height = 1 + below(9);
+        c.shift = {number(), number()};
+        c.blades = static_cast<int>(below(9));
+        c.blade_rotation = number();
         return c;
     }
     Texture texture(TextureId id, uint32_t index) {
@@ -146,6 +165,13 @@ private:
         p.attenuation_distance = std::abs(number());
         p.normal = any_id(s.textures);
         p.normal_scale = number();
+        p.dispersion = below(5);
+        p.coat_normal = any_id(s.textures);
+        p.coat_normal_scale = number();
+        p.iridescence = textured(s, p.iridescence);
+        p.iridescence_ior = 1 + 0.5 * below(3);
+        p.iridescence_thickness_low = below(1000);
+        p.iridescence_thickness = textured(s, p.iridescence_thickness);
         p.compensation = below(2);
         return p;
     }
@@ -160,6 +186,8 @@ private:
         m.emission = {color(), any_id(s.textures)};
         m.strength = std::abs(number());
         m.side = kind<EmissionSide>();
+        m.spot_angle = 20 + below(160);
+        m.spot_blend = 0.25 * below(5);
         m.fresnel = kind<FresnelRule>();
         m.alpha = kind<AlphaMode>();
         m.alpha_cutoff = 0.25 * below(5);
@@ -190,6 +218,9 @@ private:
         o.material = any_id(s.materials);
         o.inside_out = below(2);
         o.visible = below(2);
+        o.camera_visible = below(2);
+        o.casts_shadows = below(2);
+        o.reflection_visible = below(2);
         return o;
     }
 
@@ -245,6 +276,12 @@ void check_same_surface(const Scene& a, const PrincipledSurface& x, const Scene&
     check_same_color(a, x.sheen_color, b, y.sheen_color);
     check_same_number(a, x.sheen_roughness, b, y.sheen_roughness);
     check_same_texture(a, x.normal, b, y.normal);
+    check_same_texture(a, x.coat_normal, b, y.coat_normal);
+    check_same_number(a, x.iridescence, b, y.iridescence);
+    check_same_number(a, x.iridescence_thickness, b, y.iridescence_thickness);
+    CHECK((x.dispersion == y.dispersion && x.coat_normal_scale == y.coat_normal_scale));
+    CHECK((x.iridescence_ior == y.iridescence_ior &&
+           x.iridescence_thickness_low == y.iridescence_thickness_low));
     CHECK((x.anisotropy_rotation == y.anisotropy_rotation && x.thin == y.thin));
     CHECK((x.attenuation_color == y.attenuation_color && x.normal_scale == y.normal_scale));
     CHECK((x.attenuation_distance == y.attenuation_distance && x.compensation == y.compensation));

@@ -95,6 +95,36 @@ TEST_CASE("environment: directions follow the density") {
     CHECK(lost[0] < 1e-4);
 }
 
+TEST_CASE("environment: a sun before the image is found as the density says") {
+    Sky sky(32, 16, 25);
+    sky.scene.background.sun_direction = normalize(Vec3(1, Real(0.5), Real(-0.3)));
+    sky.scene.background.sun_chord2 = Real(0.1);
+    sky.scene.background.sun_probability = Real(0.4);
+    double lost[2];
+    const Chi2 chi2 = chi2_test_directions(
+        DirectionGrid(sky.scene.background.sun_direction, 2), 400000,
+        [&](Vec2 u, Real) { return sky.sample(u).direction; }, [&](Vec3 d) { return sky.pdf(d); },
+        &lost, 96);
+    CAPTURE(chi2.statistic);
+    CAPTURE(chi2.degrees);
+    CHECK(chi2.p_value > 0.001);
+    CHECK(lost[0] < 1e-4);
+    // The real one is small: its directions stay in its disk, up to rounding.
+    const double radius = 0.265 / 180 * 3.14159265358979323846;
+    sky.scene.background.sun_chord2 = static_cast<Real>(std::pow(2 * std::sin(radius / 2), 2));
+    const TeaKey key = tea_key(0, 4);
+    int missed = 0;
+    double moment = 0;
+    for (uint32_t i = 0; i < 10000; ++i) {
+        const TeaBlock a = tea_encrypt<8>({i, 0}, key);
+        const Vec3 d = sample_sun(sky.scene.background, {unit_real(a.v0), unit_real(a.v1)});
+        missed += !meets_sun(sky.scene.background, d);
+        moment += static_cast<double>(length_squared(d - sky.scene.background.sun_direction));
+    }
+    CHECK(missed < 50);
+    CHECK(moment / 10000 == doctest::Approx(radius * radius / 2).epsilon(0.02));
+}
+
 TEST_CASE("environment: the light's integral by its samples, with little noise") {
     for (const auto& size : {std::pair{64, 32}, std::pair{5000, 40}}) {
         const Sky sky(size.first, size.second, 10);

@@ -1,10 +1,10 @@
-// Light sampling by chi squared: the light that is chosen, and the point on every kind of shape.
+// Light sampling by chi squared: the point on every kind of shape.
 #include "support/chi2.h"
 #include "support/hittables.h"
-#include "support/scene_maker.h"
 
-#include <teapath/device/light_build.h>
 #include <teapath/kernel/light.h>
+
+#include <doctest/doctest.h>
 
 #include <cmath>
 #include <initializer_list>
@@ -45,15 +45,6 @@ void check_shape(const Hittable& h, Vec3 from, const DirectionGrid& grid, int st
     CHECK(lost[0] < 0.001);
 }
 
-std::vector<LightRecord> lights_of(const std::vector<Hittable>& hittables,
-                                   const std::vector<MaterialRecord>& materials) {
-    SceneArrays arrays;
-    arrays.hittables = hittables;
-    arrays.materials = materials;
-    build_lights(arrays);
-    return arrays.lights;
-}
-
 }  // namespace
 
 TEST_CASE("light sampling: chi squared of every kind of shape, from outside") {
@@ -74,50 +65,4 @@ TEST_CASE("light sampling: chi squared of closed shapes, from within") {
          {sphere({0, 0, 0}, 1), ellipsoid({0, 0, 0}, kAxes), box({0, 0, 0}, kAxes)})
         for (const Vec3& from : {Vec3(0, 0, 0), Vec3(Real(0.2), Real(-0.1), Real(0.3))})
             check_shape(h, from, DirectionGrid({0, 0, 1}, 2), 24);
-}
-
-TEST_CASE("light choice: chi squared of the alias table, whatever the powers") {
-    for (const int count : {1, 2, 7, 100}) {
-        CAPTURE(count);
-        std::vector<Hittable> hittables;
-        std::vector<MaterialRecord> materials;
-        for (int i = 0; i < count; ++i) {
-            Hittable h = sphere({static_cast<Real>(3 * i), 0, 0}, Real(0.1) * Real(1 + i % 5));
-            h.material = static_cast<uint32_t>(i);
-            hittables.push_back(h);
-            MaterialRecord m;
-            m.emits = 1;
-            // One of them is black, one outshines all others.
-            m.emission.color = Vec3(i == 3 ? Real(0) : i == 5 ? Real(1000) : Real(1));
-            materials.push_back(m);
-        }
-        const std::vector<LightRecord> lights = lights_of(hittables, materials);
-        REQUIRE(lights.size() == static_cast<size_t>(count));
-        constexpr uint32_t kDraws = 400000;
-        std::vector<double> observed(lights.size()), expected;
-        double sum = 0;
-        for (const LightRecord& light : lights) {
-            expected.push_back(static_cast<double>(light.probability) * kDraws);
-            sum += static_cast<double>(light.probability);
-            CHECK(light.probability > 0);  // a light's texture may be brighter than its power says
-        }
-        CHECK(sum == doctest::Approx(1).epsilon(1e-5));
-        const TeaKey key = tea_key(0, 9);
-        for (uint32_t i = 0; i < kDraws; ++i)
-            ++observed[pick_light(make_span(lights), unit_real(tea_encrypt<8>({i, 0}, key).v0))];
-        const Chi2 chi2 = chi2_test(observed, expected);
-        CHECK((count == 1 || chi2.p_value > kLevel));
-        CHECK(chi2.impossible == 0);
-        if (count > 5) CHECK(lights[5].probability > Real(0.4));
-    }
-}
-
-TEST_CASE("light choice: the largest random number is the last light or its alias") {
-    std::vector<Hittable> hittables(3);
-    std::vector<MaterialRecord> materials(1);
-    materials[0].emits = 1;
-    materials[0].emission.color = Vec3(1);
-    const std::vector<LightRecord> lights = lights_of(hittables, materials);
-    CHECK(pick_light(make_span(lights), 0) < 3);
-    CHECK(pick_light(make_span(lights), 1 - kEpsilon / 2) < 3);
 }

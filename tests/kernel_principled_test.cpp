@@ -62,6 +62,11 @@ std::vector<Case> white_cases() {
         add("coat on metal", roughness, [](auto& p) { p.metallic = 1, p.coat = 1; });
         add("rough coat on diffuse", roughness,
             [](auto& p) { p.coat = Real(0.8), p.coat_alpha = Real(0.3); });
+        add("a coat of its own normal", roughness, [](auto& p) {
+            p.coat = Real(0.8), p.coat_alpha = Real(0.3);
+            p.coat_normal = normalize(Vec3(Real(0.15), Real(-0.1), 1));
+        });
+        add("film on metal", roughness, [](auto& p) { p.metallic = 1, p.film = 1; });
         add("sheen", roughness, [](auto& p) { p.sheen = Vec3(1), p.sheen_alpha = Real(0.25); });
         add("all layers", roughness, [](auto& p) {
             p.sheen = Vec3(Real(0.5)), p.coat = Real(0.5), p.metallic = Real(0.3);
@@ -74,7 +79,7 @@ std::vector<Case> white_cases() {
 // The mean weight of samples; refraction's squared index, which counts beams not radiance, apart.
 double albedo(const PrincipledParameters& p, double degrees, uint32_t samples) {
     const Vec3 wo = tilted(degrees);
-    const PrincipledLobes l = make_principled(p, tables(), wo.z);
+    const PrincipledLobes l = make_principled(p, tables(), wo);
     const TeaKey key = tea_key(0, 5);
     double sum = 0;
     for (uint32_t i = 0; i < samples; ++i) {
@@ -103,11 +108,49 @@ int samples_without_density(const PrincipledLobes& l, Vec3 wo) {
 TEST_CASE("principled: a white furnace stays white, whatever the lobes and the roughness") {
     for (const Case& c : white_cases()) {
         CAPTURE(c.name);
+        // Films take colours away, and a coat that is turned loses what it reflects below.
+        if (c.p.film > 0 || c.p.coat_normal.z < 1) continue;
         for (const double degrees : {0.0, 35.0, 60.0, 80.0}) {
             CAPTURE(degrees);
             CHECK(albedo(c.p, degrees, 40000) == doctest::Approx(1).epsilon(0.01));
         }
     }
+}
+
+TEST_CASE("principled: films and turned coats make no light") {
+    for (const Case& c : white_cases()) {
+        if (!(c.p.film > 0 || c.p.coat_normal.z < 1)) continue;
+        CAPTURE(c.name);
+        for (const double degrees : {0.0, 35.0, 60.0, 80.0}) {
+            CAPTURE(degrees);
+            CHECK(albedo(c.p, degrees, 20000) < 1.02);
+            CHECK(albedo(c.p, degrees, 20000) > 0.3);
+        }
+    }
+}
+
+TEST_CASE("thin film: without thickness or index it is not there, else it has colours") {
+    const Vec3 base{Real(0.04), Real(0.5), Real(0.9)};
+    for (const double cosine : {1.0, 0.6, 0.2}) {
+        const auto c = static_cast<Real>(cosine);
+        const Vec3 none = film_reflectance(c, Real(1.3), 0, base);
+        for (int i = 0; i < 3; ++i)
+            CHECK(none[i] ==
+                  doctest::Approx(static_cast<double>(schlick(base[i], c))).epsilon(1e-3));
+        const Vec3 back = straight_on(none, c);
+        CHECK(back.y == doctest::Approx(0.5).epsilon(0.01));
+        for (const double thickness : {100.0, 250.0, 400.0, 800.0, 3000.0}) {
+            const Vec3 f = film_reflectance(c, Real(1.4), static_cast<Real>(thickness), base);
+            for (int i = 0; i < 3; ++i)
+                CHECK((f[i] >= 0 && f[i] <= 1));
+        }
+    }
+    // A quarter of a wave of green light on glass: the coating of lenses takes green away.
+    const Vec3 glass(Real(0.04));
+    const Vec3 coated = film_reflectance(1, Real(1.22), Real(550 / 4.0 / 1.22), glass);
+    CHECK(coated.y < Real(0.01));
+    CHECK(coated.y < coated.x);
+    CHECK(coated.y < coated.z);
 }
 
 TEST_CASE("principled: without compensation nothing is made, and rough metal loses") {
@@ -135,7 +178,7 @@ TEST_CASE("principled: samples follow the density") {
             p.alpha.x = min(p.alpha.x * 2, Real(1));  // a lobe that is longer one way
             p.coat_alpha = max(p.coat_alpha, Real(0.1));
             const Vec3 wo = tilted(degrees);
-            const PrincipledLobes l = make_principled(p, tables(), wo.z);
+            const PrincipledLobes l = make_principled(p, tables(), wo);
             for (const Vec3 axis : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
                 const Chi2 chi2 = chi2_test_directions(
                     DirectionGrid{axis, 1}, kSamples,
@@ -151,14 +194,14 @@ TEST_CASE("principled: samples follow the density") {
     }
 }
 
-TEST_CASE("principled: light may be followed backwards but for coat and sheen") {
+TEST_CASE("principled: light may be followed backwards but for coat, film and sheen") {
     for (const Case& c : white_cases()) {
-        if (c.p.coat > 0 || !is_black(c.p.sheen)) continue;
+        if (c.p.coat > 0 || c.p.film > 0 || !is_black(c.p.sheen)) continue;
         if (c.p.transmission > 0 && c.p.compensation) continue;  // scaled by wo's loss alone
         CAPTURE(c.name);
         const Vec3 a = tilted(30, 0.2), b = tilted(65, 2);
-        const Vec3 ab = principled_eval(make_principled(c.p, tables(), a.z), tables(), a, b) / b.z;
-        const Vec3 ba = principled_eval(make_principled(c.p, tables(), b.z), tables(), b, a) / a.z;
+        const Vec3 ab = principled_eval(make_principled(c.p, tables(), a), tables(), a, b) / b.z;
+        const Vec3 ba = principled_eval(make_principled(c.p, tables(), b), tables(), b, a) / a.z;
         CHECK(ab.x == doctest::Approx(static_cast<double>(ba.x)).epsilon(1e-3));
     }
 }
@@ -173,7 +216,7 @@ TEST_CASE("principled: without compensation it is glTF's appendix B") {
             const double alpha = roughness * roughness;
             p.alpha = {static_cast<Real>(alpha), static_cast<Real>(alpha)};
             const Vec3 wo = tilted(40), wi = tilted(55, 1.4);
-            const Vec3 f = principled_eval(make_principled(p, tables(), wo.z), tables(), wo, wi);
+            const Vec3 f = principled_eval(make_principled(p, tables(), wo), tables(), wo, wi);
             // The formulas of the appendix, in double.
             const Double3 o = wo, i = wi, h = glm::normalize(o + i), base = p.base;
             const double a2 = alpha * alpha, pi = 3.14159265358979323846;

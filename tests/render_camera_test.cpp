@@ -78,6 +78,77 @@ TEST_CASE("R3: what lies in the plane of focus is sharp, the blur circle obeys t
         CHECK(blur_diameter(z) == doctest::Approx(0.5 * std::abs(4 - z) / z).epsilon(0.02));
 }
 
+TEST_CASE("orthographic: a ball covers its disk, wherever it stands") {
+    SceneMaker maker;
+    maker.camera().look_from = {0, 0, 10};
+    maker.camera().projection = ProjectionKind::Orthographic;
+    maker.camera().film_height = 4;
+    for (const double z : {0.0, 5.0, -100.0}) {
+        SceneMaker with;
+        with.scene = maker.scene;
+        with.sphere({0.3, 0.2, z}, 1, with.light(1));
+        const double share = 3.14159265 / (4 * 4 * 64.0 / 48);
+        CHECK(mean(render(with.scene, 64)) == doctest::Approx(share).epsilon(0.005));
+    }
+}
+
+TEST_CASE("panoramas: directions by angle; a fisheye is black beyond its circle") {
+    Scene scene = SceneMaker().scene;
+    scene.render.width = 200;
+    scene.render.height = 100;
+    scene.cameras[0].look_from = {0, 0, 0};
+    scene.cameras[0].look_at = {0, 0, -1};
+    scene.cameras[0].projection = ProjectionKind::Equirectangular;
+    CameraRecord camera = record_of(scene);
+    const auto near = [](Vec3 a, Vec3 b) { return length(a - b) < Real(1e-5); };
+    CHECK(near(camera_ray(camera, {100, 50}, 200, 100, {0, 0}).direction, {0, 0, -1}));
+    CHECK(near(camera_ray(camera, {150, 50}, 200, 100, {0, 0}).direction, {1, 0, 0}));
+    CHECK(near(camera_ray(camera, {0, 50}, 200, 100, {0, 0}).direction, {0, 0, 1}));
+    CHECK(near(camera_ray(camera, {70, 0}, 200, 100, {0, 0}).direction, {0, 1, 0}));
+
+    scene.cameras[0].projection = ProjectionKind::Fisheye;
+    scene.cameras[0].vertical_fov = 180;
+    camera = record_of(scene);
+    CHECK(near(camera_ray(camera, {100, 0}, 200, 100, {0, 0}).direction, {0, 1, 0}));
+    CHECK(near(camera_ray(camera, {150, 50}, 200, 100, {0, 0}).direction, {1, 0, 0}));
+    const Vec3 slanted = camera_ray(camera, {125, 50}, 200, 100, {0, 0}).direction;
+    CHECK(slanted.x == doctest::Approx(std::sqrt(0.5)));
+    CHECK_FALSE(camera_ray(camera, {151, 50}, 200, 100, {0, 0}).is_on_film);
+
+    scene.background.color = Double3(1);
+    const FilmImage film = render(scene, 4);
+    CHECK(red(film, 100, 50) == doctest::Approx(1));
+    CHECK(red(film, 20, 50) == 0);
+}
+
+TEST_CASE("shift: the film moves and nothing else") {
+    SceneMaker maker;
+    CameraRecord camera = record_of(maker.scene);
+    const Vec3 before = camera_ray(camera, {48, 12}, 64, 48, {0, 0}).direction;
+    maker.camera().shift = {0.25, 0.25};
+    camera = record_of(maker.scene);
+    CHECK(length(camera_ray(camera, {32, 24}, 64, 48, {0, 0}).direction - before) < Real(1e-6));
+}
+
+TEST_CASE("aperture: blades make a regular polygon, evenly lit") {
+    CameraRecord camera;
+    camera.blades = 6;
+    double moment = 0;
+    int outside = 0;
+    constexpr int kSide = 300;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const Vec2 u{(static_cast<Real>(i % kSide) + Real(0.5)) / kSide,
+                     (static_cast<Real>(i / kSide) + Real(0.5)) / kSide};
+        const Vec2 p = sample_aperture(camera, u);
+        moment += static_cast<double>(p.x * p.x + p.y * p.y) / (kSide * kSide);
+        // Corners at the top and at the bottom: flat sides left and right.
+        outside += std::abs(p.x) > Real(0.8661) || std::abs(p.y) > Real(1.0001);
+    }
+    CHECK(outside == 0);
+    // The second moment of a regular polygon with circumradius 1: (2 + cos(2 pi / n)) / 6.
+    CHECK(moment == doctest::Approx((2 + 0.5) / 6).epsilon(1e-3));
+}
+
 TEST_CASE("clip planes cut along the view axis") {
     SceneMaker maker;
     maker.camera().look_from = {0, 0, 10};

@@ -203,3 +203,35 @@ TEST_CASE("max_depth counts segments: 1 shows emission, 2 direct light") {
     maker.path().max_depth = 2;
     CHECK(red(render(maker.scene, 64), 32, 24) > 0);
 }
+
+TEST_CASE(
+    "dispersion: glass that disperses is white in a white furnace, and coloured before stripes") {
+    SceneMaker maker;
+    maker.background(1);
+    Material m;
+    m.kind = MaterialKind::Principled;
+    m.color.color = Double3(1);
+    m.surface.roughness.value = 0;
+    m.surface.transmission.value = 1;
+    m.surface.thin = false;
+    m.surface.dispersion = 3;
+    maker.sphere({0, 0, 0}, 1, maker.material(m));
+    maker.path().roulette_depth = 0;
+    const FilmImage film = render(maker.scene, 256);
+    Double3 sum(0);
+    for (size_t i = 0; i < film.radiance.size(); ++i)
+        sum[static_cast<int>(i % 3)] += static_cast<double>(film.radiance[i]);
+    sum /= static_cast<double>(film.radiance.size() / 3);
+    for (int c = 0; c < 3; ++c)
+        CHECK(sum[c] == doctest::Approx(1).epsilon(0.005));
+
+    // A light behind the ball: red and blue see it in different places.
+    maker.background(0);
+    maker.object(XyRectShape{{-0.6, -0.6}, {0, 0.6}, -3}, maker.light(1));
+    maker.scene.objects.edit().back().camera_visible = false;
+    const FilmImage split = render(maker.scene, 256);
+    double differs = 0;
+    for (size_t i = 0; i < split.radiance.size(); i += 3)
+        differs += std::abs(static_cast<double>(split.radiance[i] - split.radiance[i + 2]));
+    CHECK(differs / static_cast<double>(split.radiance.size() / 3) > 0.01);
+}

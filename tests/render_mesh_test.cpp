@@ -144,3 +144,29 @@ TEST_CASE("meshes: one that emits is found by light sampling, and gives what cha
                   doctest::Approx(mean(render(scene(false, true, scale), 256))).epsilon(0.01));
     }
 }
+
+TEST_CASE("meshes: the terminator of a smooth one is that of the surface it stands for") {
+    const auto ball = [](bool is_mesh, bool fixed) {
+        SceneMaker maker;
+        maker.camera().vertical_fov = 32;
+        const MaterialId grey = maker.lambertian(0.8);
+        if (is_mesh)
+            maker.object(mesh_shape(ball_mesh(2)), grey);
+        else
+            maker.sphere({0, 0, 0}, 1, grey);
+        maker.sphere({30, 4, 4}, 1, maker.light(1000));
+        maker.path().max_depth = 2;
+        maker.path().terminator_fix = fixed;
+        return render(maker.scene, 64);
+    };
+    const FilmImage exact = ball(false, false);
+    const auto error = [&](const FilmImage& film) {
+        double sum = 0;
+        for (size_t i = 0; i < film.radiance.size(); ++i)
+            sum += std::abs(static_cast<double>(film.radiance[i] - exact.radiance[i]));
+        return sum;
+    };
+    const double plain = error(ball(true, false)), fixed = error(ball(true, true));
+    MESSAGE("error of the terminator, fixed over plain: " << fixed / plain);
+    CHECK(fixed < 0.7 * plain);
+}

@@ -64,6 +64,7 @@ std::vector<ImageReport> report_images(const Scene& scene) {
     for (const Texture& texture : scene.textures)
         if (texture.kind == TextureKind::Image) add(texture.file);
     if (scene.background.kind == BackgroundKind::Image) add(scene.background.file);
+    if (scene.background.backdrop == BackdropKind::Image) add(scene.background.backdrop_file);
     return reports;
 }
 

@@ -64,7 +64,7 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
     std::vector<MeshView> mesh_views;
     for (const CudaMesh& mesh : meshes_)
         mesh_views.push_back(mesh.view());
-    const std::array<Source, 17> sources = {
+    const std::array<Source, 18> sources = {
         source_of(arrays.hittables, either),
         source_of(arrays.nodes, SceneParts::Geometry),
         source_of(arrays.lights, either),
@@ -81,10 +81,11 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
         source_of(albedo.sheen, SceneParts::None),
         source_of(albedo.glass, SceneParts::None),
         source_of(environment.rows, environment_parts),
-        source_of(environment.cells, environment_parts)};
+        source_of(environment.cells, environment_parts),
+        source_of(arrays.light_nodes, either)};
 
     // Where each array goes; the allocation is made anew where the sizes have changed.
-    std::array<size_t, 17> offsets{};
+    std::array<size_t, 18> offsets{};
     std::vector<size_t> layout;
     size_t total = 0;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -125,6 +126,7 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
     view_.environment = {span_at(memory, offsets[15], environment.rows),
                          span_at(memory, offsets[16], environment.cells), environment.width,
                          environment.height};
+    view_.light_nodes = span_at(memory, offsets[17], arrays.light_nodes);
     view_.background = arrays.background;
     view_.bounds = arrays.bounds;
     view_.brute_force = arrays.brute_force;

@@ -1,4 +1,5 @@
 // From the document to the flat arrays, part by part.
+#include "flatten_camera.h"
 #include "flatten_materials.h"
 #include "flatten_meshes.h"
 #include "flatten_shapes.h"
@@ -15,31 +16,18 @@
 namespace tp {
 namespace {
 
-CameraRecord flatten_camera(const Scene& scene) {
-    const Camera camera = active_camera(scene);
-    const Double3 forward = glm::normalize(camera.look_at - camera.look_from);
-    const Double3 right = glm::normalize(glm::cross(forward, camera.up));
-    const double half_height = std::tan(camera.vertical_fov * 3.14159265358979323846 / 360);
-    CameraRecord record;
-    record.origin = Vec3(camera.look_from);
-    record.forward = Vec3(forward);
-    record.right = Vec3(right);
-    record.up = Vec3(glm::cross(right, forward));
-    record.half_height = static_cast<Real>(half_height);
-    record.half_width = static_cast<Real>(half_height * scene.render.width / scene.render.height);
-    record.lens_radius = static_cast<Real>(camera.aperture / 2);
-    record.focus_distance = static_cast<Real>(effective_focus_distance(camera));
-    record.near_clip = static_cast<Real>(camera.near_clip);
-    record.far_clip = camera.far_clip > 0 ? static_cast<Real>(camera.far_clip) : kInfinity;
-    return record;
-}
-
 // A box that holds the hittable for certain, and has some thickness along each axis.
 Bounds padded_bounds(const Hittable& h) {
     Bounds b = bounds_of(h);
     const Vec3 size = max(abs(b.low), abs(b.high));
     const Vec3 pad = size * error_bound(Real(0.5)) + Vec3(std::numeric_limits<Real>::min());
     return {b.low - pad, b.high + pad};
+}
+
+uint8_t hidden_from(const Object& object) {
+    return static_cast<uint8_t>((object.camera_visible ? 0 : kRayCamera) |
+                                (object.casts_shadows ? 0 : kRayShadow) |
+                                (object.reflection_visible ? 0 : kRayScattered));
 }
 
 void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
@@ -59,6 +47,7 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
             const auto found = material_index.find(object.material.value);
             shapes[i]->material = found == material_index.end() ? 0 : found->second;
             shapes[i]->object = object.id.value;
+            shapes[i]->hidden_from = hidden_from(object);
         }
     });
     std::vector<Hittable> hittables;
@@ -80,11 +69,12 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
     });
     BvhTree tree = build_bvh(boxes);
     arrays.hittables.resize(hittables.size());
-    arrays.features &= ~(kFeatureShapes | kFeatureMeshes);
+    arrays.features &= ~(kFeatureShapes | kFeatureMeshes | kFeatureHiding);
     if (!arrays.instances.empty()) arrays.features |= kFeatureMeshes;
     for (size_t i = 0; i < hittables.size(); ++i) {
         arrays.hittables[i] = hittables[tree.order[i]];
         if (arrays.hittables[i].kind != HittableKind::Sphere) arrays.features |= kFeatureShapes;
+        if (arrays.hittables[i].hidden_from != 0) arrays.features |= kFeatureHiding;
     }
     arrays.nodes = std::move(tree.nodes);
     arrays.bounds = tree.bounds;
@@ -131,8 +121,8 @@ size_t bytes_of(const std::vector<T>& v) {
 
 size_t SceneArrays::bytes() const {
     size_t sum = bytes_of(hittables) + bytes_of(nodes) + bytes_of(instances) + bytes_of(lights) +
-                 bytes_of(materials) + bytes_of(principled) + bytes_of(material_ids) +
-                 bytes_of(textures) + bytes_of(texels);
+                 bytes_of(light_nodes) + bytes_of(materials) + bytes_of(principled) +
+                 bytes_of(material_ids) + bytes_of(textures) + bytes_of(texels);
     if (environment) sum += environment->bytes();
     for (const MeshOfScene& mesh : meshes)
         sum += mesh.arrays->bytes();
@@ -149,7 +139,8 @@ void flatten(const Scene& scene, SceneParts parts, SceneArrays& arrays) {
     if (has(parts, SceneParts::Materials) || has(parts, SceneParts::Geometry)) {
         build_lights(arrays);
         arrays.features &= ~kFeatureLights;
-        if (!arrays.lights.empty()) arrays.features |= kFeatureLights;
+        if (!arrays.lights.empty() || arrays.background.light_probability > 0)
+            arrays.features |= kFeatureLights;
     }
     if (has(parts, SceneParts::Parameters)) flatten_parameters(full, arrays);
 }

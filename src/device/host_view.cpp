@@ -14,6 +14,7 @@ SceneView host_view(const SceneArrays& arrays, std::vector<MeshView>& meshes) {
     view.meshes = {meshes.data(), static_cast<uint32_t>(meshes.size())};
     view.instances = make_span(arrays.instances);
     view.lights = make_span(arrays.lights);
+    view.light_nodes = make_span(arrays.light_nodes);
     view.materials = make_span(arrays.materials);
     view.material_ids = make_span(arrays.material_ids);
     view.principled = make_span(arrays.principled);

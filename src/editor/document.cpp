@@ -77,7 +77,7 @@ public:
         size_t bytes = add_part(&scene, sizeof(Scene) + scene.description.capacity() +
                                             scene.cameras.size() * sizeof(Camera));
         bytes += add_list(scene.objects) + add_list(scene.generators) + add_list(scene.materials);
-        bytes += add_image(scene.background.file);
+        bytes += add_image(scene.background.file) + add_image(scene.background.backdrop_file);
         if (const size_t list = add_list(scene.textures); list > 0) {
             bytes += list;
             for (const Texture& texture : scene.textures)

@@ -52,6 +52,14 @@ SkyPreset gradient(const char* name, const Double3& top, const Double3& bottom, 
     return {name, b};
 }
 
+SkyPreset sun(const char* name, double elevation, double haze) {
+    Background b;
+    b.kind = BackgroundKind::Sky;
+    b.sky.sun_elevation = elevation;
+    b.sky.haze = haze;
+    return {name, b};
+}
+
 SkyPreset constant(const char* name, const Double3& color) {
     Background b;
     b.kind = BackgroundKind::Constant;
@@ -93,6 +101,9 @@ const std::vector<MaterialPreset>& material_presets() {
 
 const std::vector<SkyPreset>& sky_presets() {
     static const std::vector<SkyPreset> presets = {
+        sun("Clear sky, noon", 60, 1),
+        sun("Clear sky, afternoon", 28, 1.5),
+        sun("Clear sky, evening", 4, 2),
         gradient("Day", {0.5, 0.7, 1.0}, {1, 1, 1}, 1),
         gradient("Sunset", {0.16, 0.21, 0.42}, {1.0, 0.45, 0.18}, 1),
         gradient("Dusk", {0.02, 0.03, 0.09}, {0.22, 0.14, 0.16}, 1),

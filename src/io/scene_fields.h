@@ -15,8 +15,13 @@ void camera_fields(V& v, Camera& c) {
     v("look_from", c.look_from);
     v("look_at", c.look_at);
     v("up", c.up);
+    v("projection", c.projection);
     v("vertical_fov", c.vertical_fov);
+    v("film_height", c.film_height);
+    v("shift", c.shift);
     v("aperture", c.aperture);
+    v("blades", c.blades);
+    v("blade_rotation", c.blade_rotation);
     v("focus_distance", c.focus_distance);
     v("near_clip", c.near_clip);
     v("far_clip", c.far_clip);
@@ -61,12 +66,19 @@ void principled_fields(V& v, PrincipledSurface& s) {
     v("thin", s.thin);
     v.color("attenuation_color", s.attenuation_color);
     v("attenuation_distance", s.attenuation_distance);
+    v("dispersion", s.dispersion);
     v("diffuse_transmission", s.diffuse_transmission);
     v("diffuse_transmission_color", s.diffuse_transmission_color);
     v("coat", s.coat);
     v("coat_roughness", s.coat_roughness);
+    v.texture("coat_normal", s.coat_normal);
+    v("coat_normal_scale", s.coat_normal_scale);
     v("sheen_color", s.sheen_color);
     v("sheen_roughness", s.sheen_roughness);
+    v("iridescence", s.iridescence);
+    v("iridescence_ior", s.iridescence_ior);
+    v("iridescence_thickness_low", s.iridescence_thickness_low);
+    v("iridescence_thickness", s.iridescence_thickness);
     v.texture("normal", s.normal);
     v("normal_scale", s.normal_scale);
     v("compensation", s.compensation);
@@ -113,6 +125,8 @@ void material_fields(V& v, Material& m) {
         v.glow("emission", m.emits, m.emission);
     v("strength", m.strength);
     v("side", m.side);
+    v("spot_angle", m.spot_angle);
+    v("spot_blend", m.spot_blend);
     v("alpha", m.alpha);
     v("alpha_cutoff", m.alpha_cutoff);
     v("opacity", m.opacity);
@@ -188,6 +202,9 @@ void object_fields(V& v, Object& o) {
     v("material", o.material);
     v("inside_out", o.inside_out);
     v("visible", o.visible);
+    v("camera_visible", o.camera_visible);
+    v("casts_shadows", o.casts_shadows);
+    v("reflection_visible", o.reflection_visible);
 }
 
 template <class V>
@@ -221,6 +238,21 @@ void generator_fields(V& v, Generator& g) {
 }
 
 template <class V>
+void sky_fields(V& v, Sky& s) {
+    v("sun_by", s.sun_by);
+    v("sun_elevation", s.sun_elevation);
+    v("sun_azimuth", s.sun_azimuth);
+    v("latitude", s.latitude);
+    v("longitude", s.longitude);
+    v("day", s.day);
+    v("hour", s.hour);
+    v("sun_size", s.sun_size);
+    v("sun_strength", s.sun_strength);
+    v("haze", s.haze);
+    v.color("ground", s.ground);
+}
+
+template <class V>
 void background_fields(V& v, Background& b) {
     v.kind("type", b.kind);
     switch (b.kind) {
@@ -233,9 +265,17 @@ void background_fields(V& v, Background& b) {
             v.image("file", b.file);
             v("color_space", b.color_space);
             v("rotation", b.rotation);
+            v.color("tint", b.tint);
+            break;
+        case BackgroundKind::Sky:
+            sky_fields(v, b.sky);
+            v.color("tint", b.tint);
             break;
     }
     v("strength", b.strength);
+    v("backdrop", b.backdrop);
+    v.color("backdrop_color", b.backdrop_color);
+    if (b.backdrop == BackdropKind::Image) v.image("backdrop_file", b.backdrop_file);
 }
 
 template <class V>
@@ -248,6 +288,10 @@ void render_fields(V& v, RenderSettings& r) {
     v("max_depth", r.path.max_depth);
     v("roulette_depth", r.path.roulette_depth);
     v("light_sampling", r.path.light_sampling);
+    v("light_choice", r.path.light_rule);
+    v("clamp_direct", r.path.clamp_direct);
+    v("clamp_indirect", r.path.clamp_indirect);
+    v("terminator_fix", r.path.terminator_fix);
     v("scatter", r.path.scatter);
     v("sampler", r.path.sampler);
     v("tea_rounds", r.path.tea_rounds);
@@ -258,6 +302,11 @@ void render_fields(V& v, RenderSettings& r) {
 template <class V>
 void display_fields(V& v, DisplaySettings& d) {
     v("exposure", d.exposure);
+    v("exposure_by", d.rule);
+    v("ev", d.ev);
+    v("f_number", d.f_number);
+    v("shutter", d.shutter);
+    v("iso", d.iso);
     v("tone_curve", d.curve);
 }
 

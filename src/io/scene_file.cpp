@@ -29,6 +29,7 @@ void for_each_image(SceneType& scene, F&& f) {
     for (auto& texture : elements(scene.textures))
         if (texture.kind == TextureKind::Image) f(texture.file);
     if (scene.background.kind == BackgroundKind::Image) f(scene.background.file);
+    if (scene.background.backdrop == BackdropKind::Image) f(scene.background.backdrop_file);
 }
 
 // Calls `f` with every mesh file that an object shows.

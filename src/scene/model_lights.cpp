@@ -1,8 +1,6 @@
 // The lights of a model as objects that shine: small balls, disks, and a far sun.
 #include <teapath/scene/model.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -50,10 +48,8 @@ void add_lamps(ModelContent& content) {
     const auto [low, high] = box_of(content.objects);
     around.center = (low + high) * 0.5;
     around.radius = std::max(glm::distance(low, high) / 2, 1e-6);
-    bool has_spot = false;
     for (const ModelLight& light : content.lights) {
         if (!(light.intensity > 0) || !(glm::determinant(light.world_from_light) != 0)) continue;
-        has_spot |= light.kind == ModelLight::Kind::Spot;
         const Lamp lamp = lamp_of(light, around);
         Material material;
         material.id = {static_cast<uint32_t>(content.materials.size()) + 1};
@@ -61,6 +57,12 @@ void add_lamps(ModelContent& content) {
         material.kind = MaterialKind::DiffuseLight;
         material.emission.color = light.color;
         material.strength = light.intensity * lamp.radiance;
+        if (light.kind == ModelLight::Kind::Spot) {
+            material.spot_angle = std::clamp(2 * light.outer_cone, 0.1, 180.0);
+            material.spot_blend =
+                light.outer_cone > 0 ? std::clamp(1 - light.inner_cone / light.outer_cone, 0.0, 1.0)
+                                     : 0;
+        }
         material.part.path = "light:" + light.part.path;
         Object object;
         object.id = {static_cast<uint32_t>(content.objects.size()) + 1};
@@ -71,7 +73,6 @@ void add_lamps(ModelContent& content) {
         content.materials.push_back(std::move(material));
         content.objects.push_back(std::move(object));
     }
-    if (has_spot) content.unsupported.push_back("Spot lights shine as disks do, without a cone.");
 }
 
 }  // namespace tp

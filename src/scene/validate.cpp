@@ -20,6 +20,10 @@ void check_render(const RenderSettings& r, ProblemList& problems) {
     problems.in_range("render.roulette_depth", r.path.roulette_depth, 0, kMaxPathDepth);
     problems.in_range("render.tea_rounds", r.path.tea_rounds, 6, 32);
     problems.in_range("render.key_rounds", r.path.key_rounds, 6, 32);
+    problems.not_negative("render.clamp_direct", static_cast<double>(r.path.clamp_direct), "limit",
+                          "0 switches it off");
+    problems.not_negative("render.clamp_indirect", static_cast<double>(r.path.clamp_indirect),
+                          "limit", "0 switches it off");
 }
 
 void check_view(const Camera& c, const Place& where, ProblemList& problems) {
@@ -39,12 +43,26 @@ void check_view(const Camera& c, const Place& where, ProblemList& problems) {
                        "for a view straight down take [0, 0, -1]");
 }
 
-void check_camera(const Camera& c, const Place& where, ProblemList& problems) {
-    check_view(c, where, problems);
-    if (!(c.vertical_fov > 0 && c.vertical_fov < 180))
+void check_film(const Camera& c, const Place& where, ProblemList& problems) {
+    const bool is_fisheye = c.projection == ProjectionKind::Fisheye;
+    const bool fits = is_fisheye ? c.vertical_fov <= 360 : c.vertical_fov < 180;
+    if (!(c.vertical_fov > 0 && fits))
         problems.fatal(where / "vertical_fov",
                        fmt::format("{} degrees is no field of view", c.vertical_fov),
-                       "above 0 and below 180");
+                       is_fisheye ? "above 0, up to 360" : "above 0 and below 180");
+    if (!(c.film_height >= ProblemList::kSmallest))
+        problems.fatal(where / "film_height",
+                       fmt::format("a film {} high shows nothing", c.film_height), "above 0");
+    else
+        problems.finite(where / "film_height", c.film_height);
+    problems.finite(where / "shift", c.shift);
+    problems.finite(where / "blade_rotation", c.blade_rotation);
+    problems.in_range(where / "blades", c.blades, 0, 32);
+}
+
+void check_camera(const Camera& c, const Place& where, ProblemList& problems) {
+    check_view(c, where, problems);
+    check_film(c, where, problems);
     problems.not_negative(where / "aperture", c.aperture, "aperture", "0 for a pinhole");
     problems.not_negative(where / "focus_distance", c.focus_distance, "focus distance",
                           "0 to focus on look_at");
@@ -57,11 +75,38 @@ void check_camera(const Camera& c, const Place& where, ProblemList& problems) {
                        "0 switches it off");
 }
 
+void check_display(const DisplaySettings& d, ProblemList& problems) {
+    const auto within = [&](const char* where, float value, double low, double high) {
+        problems.in_range(where, static_cast<double>(value), low, high);
+    };
+    within("display.exposure", d.exposure, -64, 64);
+    within("display.ev", d.ev, -64, 64);
+    within("display.f_number", d.f_number, 0.1, 1000);
+    within("display.shutter", d.shutter, 1e-6, 1e6);
+    within("display.iso", d.iso, 1, 1e7);
+}
+
+void check_sky(const Sky& s, ProblemList& problems) {
+    problems.in_range("background.sun_elevation", s.sun_elevation, -90.0, 90.0);
+    problems.finite("background.sun_azimuth", s.sun_azimuth);
+    problems.in_range("background.latitude", s.latitude, -90.0, 90.0);
+    problems.in_range("background.longitude", s.longitude, -180.0, 180.0);
+    problems.in_range("background.day", s.day, 1.0, 366.0);
+    problems.in_range("background.hour", s.hour, 0.0, 24.0);
+    problems.in_range("background.sun_size", s.sun_size, 0.01, 90.0);
+    problems.in_range("background.sun_strength", s.sun_strength, 0.0, 1e6);
+    problems.in_range("background.haze", s.haze, 0.0, 20.0);
+    problems.color("background.ground", s.ground);
+}
+
 void check_background(const Background& b, ProblemList& problems) {
     problems.color("background.bottom", b.bottom);
     problems.color("background.top", b.top);
     problems.color("background.color", b.color);
     problems.finite("background.rotation", b.rotation);
+    problems.color("background.tint", b.tint);
+    problems.color("background.backdrop_color", b.backdrop_color);
+    check_sky(b.sky, problems);
     problems.not_negative("background.strength", b.strength, "strength");
     if (b.kind == BackgroundKind::Constant)
         problems.radiance("background", b.color, b.strength);
@@ -116,7 +161,7 @@ void check_names(const Things& things, const char* where, ProblemList& problems)
 std::vector<Problem> validate(const Scene& scene) {
     ProblemList problems;
     check_render(scene.render, problems);
-    problems.in_range("display.exposure", static_cast<double>(scene.display.exposure), -64.0, 64.0);
+    check_display(scene.display, problems);
     const Place one = "camera", many = "cameras";
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         check_camera(scene.cameras[i], scene.cameras.size() == 1 ? one : many[i], problems);

@@ -158,6 +158,8 @@ private:
             problems_.not_negative(where / "strength", m.strength, "strength");
             if (!m.emission.texture)
                 problems_.radiance(where / "emission", m.emission.color, m.strength);
+            problems_.in_range(where / "spot_angle", m.spot_angle, 0.1, 180.0);
+            problems_.in_range(where / "spot_blend", m.spot_blend, 0.0, 1.0);
         }
         problems_.in_range(where / "alpha_cutoff", m.alpha_cutoff, 0.0, 1.0);
         problems_.in_range(where / "opacity", m.opacity, 0.0, 1.0);
@@ -197,14 +199,28 @@ private:
         check_number(s.transmission, where / "transmission");
         problems_.color(where / "attenuation_color", s.attenuation_color);
         problems_.not_negative(where / "attenuation_distance", s.attenuation_distance, "distance");
+        problems_.in_range(where / "dispersion", s.dispersion, 0.0, 100.0);
         check_number(s.diffuse_transmission, where / "diffuse_transmission");
         check_color(s.diffuse_transmission_color, where / "diffuse_transmission_color");
         check_number(s.coat, where / "coat");
         check_number(s.coat_roughness, where / "coat_roughness");
+        check_texture_id(s.coat_normal, where / "coat_normal");
+        problems_.finite(where / "coat_normal_scale", s.coat_normal_scale);
+        check_film(s, where);
         check_color(s.sheen_color, where / "sheen_color");
         check_number(s.sheen_roughness, where / "sheen_roughness");
         check_texture_id(s.normal, where / "normal");
         problems_.finite(where / "normal_scale", s.normal_scale);
+    }
+
+    void check_film(const PrincipledSurface& s, const Place& where) {
+        check_number(s.iridescence, where / "iridescence");
+        problems_.in_range(where / "iridescence_ior", s.iridescence_ior, 1.0, 10.0);
+        problems_.in_range(where / "iridescence_thickness_low", s.iridescence_thickness_low, 0.0,
+                           1e5);
+        problems_.in_range(where / "iridescence_thickness", s.iridescence_thickness.value, 0.0,
+                           1e5);
+        check_texture_id(s.iridescence_thickness.texture, where / "iridescence_thickness");
     }
 
     const Scene& scene_;

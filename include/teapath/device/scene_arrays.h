@@ -41,6 +41,7 @@ struct SceneArrays {
     std::vector<MeshOfScene> meshes;        // each once, however many instances it has
     std::vector<InstanceRecord> instances;  // in the order of the objects
     std::vector<LightRecord> lights;
+    std::vector<LightNode> light_nodes;  // node 0 is the root; empty without lights
     std::vector<MaterialRecord> materials;
     std::vector<PrincipledRecord> principled;
     std::vector<uint32_t> material_ids;  // MaterialId::value of each record

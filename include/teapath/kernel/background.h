@@ -18,10 +18,12 @@ TP_HD Vec3 turned_to_image(const BackgroundRecord& background, Vec3 d) {
             d.x * background.sin_rotation + d.z * background.cos_rotation};
 }
 
-/// The image as a background: wraps in u, clamps in v, always bilinear.
-TP_HD Vec3 image_background(const SceneView& scene, const BackgroundRecord& background, Vec3 d) {
-    const Vec2 uv = equirectangular_uv(turned_to_image(background, d));
-    const ImageRecord& image = scene.textures[static_cast<uint32_t>(background.texture)].image;
+/// The image in texture `texture` as a background: wraps in u, clamps in v, always bilinear. A
+/// missing one (-1) is cyan.
+TP_HD Vec3 image_background(const SceneView& scene, int32_t texture, Vec3 d) {
+    if (texture < 0) return {0, 1, 1};
+    const Vec2 uv = equirectangular_uv(turned_to_image(scene.background, d));
+    const ImageRecord& image = scene.textures[static_cast<uint32_t>(texture)].image;
     const Real x = uv.x * static_cast<Real>(image.width) - Real(0.5);
     const Real y = uv.y * static_cast<Real>(image.height) - Real(0.5);
     const Real fx = std::floor(x), fy = std::floor(y);
@@ -36,19 +38,39 @@ TP_HD Vec3 image_background(const SceneView& scene, const BackgroundRecord& back
     return Vec3(lerp(top, bottom, y - fy));
 }
 
-/// Radiance along the unit direction `d` of a ray that met nothing. A missing image is cyan.
+/// True if that unit direction meets the disk of the sun.
+TP_HD bool meets_sun(const BackgroundRecord& background, Vec3 d) {
+    return length_squared(d - background.sun_direction) < background.sun_chord2;
+}
+
+/// Radiance along the unit direction `d` of a ray that met nothing.
 template <uint32_t kFeatures>
 TP_HD Vec3 background_radiance(const SceneView& scene, Vec3 d) {
     const BackgroundRecord& background = scene.background;
-    if ((kFeatures & kFeatureTextures) && background.kind == BackgroundKind::Image) {
-        const Vec3 color =
-            background.texture < 0 ? Vec3(0, 1, 1) : image_background(scene, background, d);
-        return color * background.strength;
+    if constexpr ((kFeatures & kFeatureTextures) != 0) {
+        const bool is_image =
+            background.kind == BackgroundKind::Image || background.kind == BackgroundKind::Sky;
+        if (is_image) {
+            Vec3 color = image_background(scene, background.texture, d) * background.scale;
+            if (meets_sun(background, d)) color += background.sun_radiance;
+            return color;
+        }
     }
-    if (background.kind == BackgroundKind::Gradient) {
-        return lerp(background.bottom, background.top, (d.y + 1) / 2) * background.strength;
+    if (background.kind == BackgroundKind::Gradient)
+        return lerp(background.bottom, background.top, (d.y + 1) / 2) * background.scale;
+    return background.bottom * background.scale;
+}
+
+/// What the camera sees along `d` beyond the scene.
+template <uint32_t kFeatures>
+TP_HD Vec3 backdrop_radiance(const SceneView& scene, Vec3 d) {
+    const BackgroundRecord& background = scene.background;
+    if (background.backdrop == BackdropKind::Constant) return background.backdrop_color;
+    if constexpr ((kFeatures & kFeatureTextures) != 0) {
+        if (background.backdrop == BackdropKind::Image)
+            return image_background(scene, background.backdrop_texture, d);
     }
-    return background.bottom * background.strength;
+    return background_radiance<kFeatures>(scene, d);
 }
 
 }  // namespace tp

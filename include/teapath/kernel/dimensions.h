@@ -11,6 +11,7 @@ namespace tp {
 inline constexpr uint32_t kDimensionPixel = 0;  // two: place within the pixel
 inline constexpr uint32_t kDimensionLens = 2;   // two: place on the lens
 inline constexpr uint32_t kDimensionTime = 4;
+inline constexpr uint32_t kDimensionChannel = 5;  // which of red, green, blue dispersion keeps
 
 inline constexpr uint32_t kDimensionBsdf = 0;         // two: direction
 inline constexpr uint32_t kDimensionLight = 2;        // two: point on the light

@@ -3,6 +3,7 @@
 // Rendering", 4th edition, 12.5; their tables are by inversion).
 #pragma once
 
+#include <teapath/core/frame.h>
 #include <teapath/kernel/background.h>
 
 namespace tp {
@@ -34,23 +35,21 @@ TP_HD Real cell_pdf(const EnvironmentView& view, uint32_t column, uint32_t row, 
            (2 * kPi * kPi * sine);
 }
 
-/// A direction by the light that comes from it.
-TP_HD EnvironmentSample sample_environment(const EnvironmentView& view,
-                                           const BackgroundRecord& background, Vec2 u) {
+/// A direction of the image by the light that comes from it.
+TP_HD Vec3 sample_image(const EnvironmentView& view, const BackgroundRecord& background, Vec2 u) {
     const uint32_t row = pick_cell(view.rows.data, view.height, u.y);
     const uint32_t column = pick_cell(view.cells.data + row * view.width, view.width, u.x);
     const Real phi = (static_cast<Real>(column) + u.x) / static_cast<Real>(view.width) * 2 * kPi;
     const Real theta = (static_cast<Real>(row) + u.y) / static_cast<Real>(view.height) * kPi;
     const Real sine = std::sin(theta);
     const Vec3 turned{sine * std::sin(phi), std::cos(theta), -sine * std::cos(phi)};
-    return {{turned.x * background.cos_rotation + turned.z * background.sin_rotation, turned.y,
-             turned.z * background.cos_rotation - turned.x * background.sin_rotation},
-            cell_pdf(view, column, row, sine)};
+    return {turned.x * background.cos_rotation + turned.z * background.sin_rotation, turned.y,
+            turned.z * background.cos_rotation - turned.x * background.sin_rotation};
 }
 
-/// Density with which sample_environment gives that direction.
-TP_HD Real environment_pdf(const EnvironmentView& view, const BackgroundRecord& background,
-                           Vec3 direction) {
+/// Density over solid angle of sample_image.
+TP_HD Real image_pdf(const EnvironmentView& view, const BackgroundRecord& background,
+                     Vec3 direction) {
     const Vec3 d = turned_to_image(background, direction);
     const Vec2 uv = equirectangular_uv(d);
     const uint32_t column =
@@ -58,6 +57,37 @@ TP_HD Real environment_pdf(const EnvironmentView& view, const BackgroundRecord& 
     const uint32_t row =
         min(static_cast<uint32_t>(uv.y * static_cast<Real>(view.height)), view.height - 1);
     return cell_pdf(view, column, row, safe_sqrt(1 - d.y * d.y));
+}
+
+/// A direction to the disk of the sun, uniform over solid angle.
+TP_HD Vec3 sample_sun(const BackgroundRecord& background, Vec2 u) {
+    const Real away = u.x * background.sun_chord2 / 2;  // 1 - cosine
+    const Real sine = safe_sqrt(away * (2 - away));
+    const Real phi = 2 * kPi * u.y;
+    return normalize(frame_around(background.sun_direction)
+                         .to_world({sine * std::cos(phi), sine * std::sin(phi), 1 - away}));
+}
+
+/// Density with which sample_environment gives that direction.
+TP_HD Real environment_pdf(const EnvironmentView& view, const BackgroundRecord& background,
+                           Vec3 direction) {
+    const Real share = background.sun_probability;
+    const Real pdf = share < 1 ? (1 - share) * image_pdf(view, background, direction) : Real(0);
+    if (!(share > 0) || !meets_sun(background, direction)) return pdf;
+    return pdf + share / (kPi * background.sun_chord2);
+}
+
+/// A direction by the light that comes from it, of image and sun.
+TP_HD EnvironmentSample sample_environment(const EnvironmentView& view,
+                                           const BackgroundRecord& background, Vec2 u) {
+    const Real share = background.sun_probability;
+    if (u.x < share) {
+        const Vec3 d = sample_sun(background, {u.x / share, u.y});
+        return {d, environment_pdf(view, background, d)};
+    }
+    u.x = min((u.x - share) / (1 - share), kOneMinusEpsilon);
+    const Vec3 d = sample_image(view, background, u);
+    return {d, environment_pdf(view, background, d)};
 }
 
 }  // namespace tp

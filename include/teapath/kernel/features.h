@@ -30,7 +30,7 @@ TP_HD void add_features(const LaunchParams& params, uint32_t x, uint32_t y, uint
         make_surface<kFeatures>(params.scene, hittable, path.origin, path.direction, hit);
     add_albedo(sum, albedo_of<kFeatures>(params.scene, material, s));
     sum.normal += s.normal;
-    sum.depth += dot(s.point.position - params.camera.origin, params.camera.forward);
+    sum.depth += depth_of(params.camera, s.point.position);
     sum.hits += 1;
 }
 

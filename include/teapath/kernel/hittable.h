@@ -23,8 +23,9 @@ struct alignas(16) Hittable {
         MeshInstance mesh;
     };
     HittableKind kind;
-    uint8_t inside_out;  // 1: the normal is turned round
-    uint16_t unused;
+    uint8_t inside_out;   // 1: the normal is turned round
+    uint8_t hidden_from;  // bits of RayKind
+    uint8_t unused;
     uint32_t material;  // index of the MaterialRecord
     uint32_t object;    // ObjectId::value
     uint32_t light;     // index of the LightRecord, of a mesh's first triangle; kNoLight = none
@@ -33,11 +34,15 @@ struct alignas(16) Hittable {
         : sphere{},
           kind(HittableKind::Sphere),
           inside_out(0),
+          hidden_from(0),
           unused(0),
           material(0),
           object(0),
           light(0xffffffff) {}
 };
+/// What a ray is for, as bits of Hittable::hidden_from.
+enum RayKind : uint8_t { kRayCamera = 1, kRayShadow = 2, kRayScattered = 4 };
+
 /// True if the hittable's normal points into a closed shape.
 TP_HD bool is_turned_inwards(const Hittable& h) {
     const bool is_closed = h.kind == HittableKind::Sphere || h.kind == HittableKind::Ellipsoid ||

@@ -63,7 +63,20 @@ enum class FilterMode : uint8_t { Nearest, Bilinear };
 /// What the numbers of an image mean. Auto: sRGB for 8 and 16 bit, linear for float.
 enum class ColorSpace : uint8_t { Auto, Srgb, Linear };
 
-enum class BackgroundKind : uint8_t { Gradient, Constant, Image };
+enum class BackgroundKind : uint8_t { Gradient, Constant, Image, Sky };
+
+/// What the camera sees of the background itself: what shines on the scene, or something else.
+enum class BackdropKind : uint8_t { Same, Constant, Image };
+
+/// Where the sun of a sky stands: at given angles, or where it is seen from a place on the earth.
+enum class SunRule : uint8_t { Angles, Place };
+
+/// How a camera maps directions to its film.
+enum class ProjectionKind : uint8_t { Perspective, Orthographic, Fisheye, Equirectangular };
+
+/// What the picture's brightness follows: stops alone, an exposure value at ISO 100, or the
+/// settings of a photo camera, whose exposure value follows.
+enum class ExposureRule : uint8_t { Stops, Ev, Photo };
 
 enum class IntegratorKind : uint8_t {
     Path,    // light sampling, multiple importance sampling, Russian roulette
@@ -77,6 +90,10 @@ enum class IntegratorKind : uint8_t {
 enum class ScatterRule : uint8_t { Cosine, Hemisphere, CosineCubed };
 
 enum class SamplerKind : uint8_t { Tea, Sobol };
+
+/// Which light a surface's direct light is taken from: by a tree of how much each may bring, or
+/// each alike, which is kept for comparison.
+enum class LightRule : uint8_t { Tree, Uniform };
 
 /// The curve from linear radiance to display value; kernel/tone_curves.h has the sources.
 enum class ToneCurve : uint8_t { Srgb, Gamma2, Linear, Aces, Agx, Neutral };

@@ -1,18 +1,10 @@
-// Light sampling: a light by the alias table, then a point on its shape.
+// Light sampling: a light (light_tree.h), then a point on its shape.
 #pragma once
 
-#include <teapath/kernel/mesh/mesh_surface.h>
-#include <teapath/kernel/scene_view.h>
+#include <teapath/kernel/light_tree.h>
+#include <teapath/kernel/material.h>
 
 namespace tp {
-
-/// The light that `u` in [0, 1) picks, with LightRecord::probability.
-TP_HD uint32_t pick_light(Span<const LightRecord> lights, Real u) {
-    const Real scaled = u * static_cast<Real>(lights.size);
-    const uint32_t column = min(static_cast<uint32_t>(scaled), lights.size - 1);
-    const LightRecord& light = lights[column];
-    return scaled - static_cast<Real>(column) < light.alias_threshold ? column : light.alias;
-}
 
 /// A point of the light's shape or triangle as seen from `from`, by area or better; pdf over solid
 /// angle.
@@ -33,21 +25,38 @@ TP_HD ShapeSample sample_emitter(const SceneView& scene, const LightRecord& ligh
     return sample_toward(h, from, u);
 }
 
-/// pdf over solid angle with which sampling a light from `from` finds `point`, which a ray in
-/// `direction` met on emitter `h`.
+/// What is read at a sampled point of a light: its place and texture coordinates.
 template <uint32_t kFeatures>
-TP_HD Real light_pdf(const SceneView& scene, const Hittable& h, const Hit& hit, Vec3 from,
-                     Vec3 direction, const SurfacePoint& point) {
-    if (h.light == kNoLight) return 0;
+TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& light,
+                                 const Hittable& emitter, const SurfacePoint& point) {
+    Surface s;
+    s.point = point;
+    if constexpr ((kFeatures & kFeatureMeshes) != 0) {
+        if (emitter.kind == HittableKind::Mesh) {
+            const InstanceRecord& instance = scene.instances[emitter.mesh.instance];
+            const MeshView& mesh = scene.meshes[instance.mesh];
+            add_mesh_attributes<kFeatures>(mesh, instance, mesh.triangles[light.primitive], s);
+            return s;
+        }
+    }
+    if constexpr ((kFeatures & kFeatureTextures) != 0) s.uv = texture_uv(emitter, point);
+    return s;
+}
+
+/// pdf over solid angle with which sample_emitter from `from` finds `point` of emitter `h`, which a
+/// ray in `direction` met.
+template <uint32_t kFeatures>
+TP_HD Real emitter_pdf(const SceneView& scene, const Hittable& h, const Hit& hit, Vec3 from,
+                       Vec3 direction, const SurfacePoint& point) {
+    const Real distance = length(point.position - from);
     if constexpr ((kFeatures & kFeatureMeshes) != 0) {
         if (h.kind == HittableKind::Mesh) {
             const InstanceRecord& instance = scene.instances[h.mesh.instance];
             const MeshTriangle& t = scene.meshes[instance.mesh].triangles[hit.primitive];
-            return scene.lights[h.light + hit.primitive].probability *
-                   solid_angle_pdf(1 / area_of(instance, t), hit.t, direction, point.normal);
+            return solid_angle_pdf(1 / area_of(instance, t), distance, direction, point.normal);
         }
     }
-    return scene.lights[h.light].probability * pdf_toward(h, from, direction, point, hit.t);
+    return pdf_toward(h, from, direction, point, distance);
 }
 
 /// The power heuristic with exponent 2 (Veach 1997, 9.2.2.1) for the strategy with density `a`.

@@ -29,10 +29,11 @@ TP_HD void place_facets(const SceneView& scene, const MaterialRecord& m, const S
     }
 }
 
-/// The bsdf, with `color` from surface_color, for a path that arrives along -wo.
+/// The bsdf, with `color` from surface_color, for a path that arrives along -wo; of what disperses,
+/// that of one channel of red, green, blue, -1 for all.
 template <uint32_t kFeatures>
 TP_HD Bsdf make_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color, const Surface& s,
-                     Vec3 wo, ScatterRule scatter) {
+                     Vec3 wo, ScatterRule scatter, int channel) {
     Bsdf b;
     b.kind = m.kind;
     b.fresnel = m.fresnel;
@@ -41,7 +42,7 @@ TP_HD Bsdf make_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color
     b.normal = s.normal;
     if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
         if (m.kind == MaterialKind::Principled) {
-            make_principled_bsdf<kFeatures>(scene, m, color, s, wo, b);
+            make_principled_bsdf<kFeatures>(scene, m, color, s, wo, channel, b);
             return b;
         }
     }
@@ -53,6 +54,16 @@ TP_HD Bsdf make_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color
         if (has_facets) place_facets<kFeatures>(scene, m, s, wo, b);
     }
     return b;
+}
+
+/// True if the index of refraction differs between the channels.
+template <uint32_t kFeatures>
+TP_HD bool disperses(const SceneView& scene, const MaterialRecord& m) {
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+        if (m.kind == MaterialKind::Principled)
+            return scene.principled[m.principled].ior_spread > 0;
+    }
+    return false;
 }
 
 /// What is left of light after `distance` within the material, for a surface met from behind.

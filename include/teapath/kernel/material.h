@@ -119,6 +119,39 @@ TP_HD bool emits_towards(const MaterialRecord& m, bool turned_inwards, bool fron
     return m.side == EmissionSide::Outside ? front != turned_inwards : front;
 }
 
+/// The share of its emission that a light with a cone sends at this cosine from its normal
+/// (KHR_lights_punctual).
+TP_HD Real cone_share(const MaterialRecord& m, Real cosine) {
+    if (m.cone_gain == 0) return 1;
+    return sqr(clamp((abs(cosine) - m.cone_cosine) * m.cone_gain, Real(0), Real(1)));
+}
+
+/// True if the material lets light through in lobes of its bsdf.
+template <uint32_t kFeatures>
+TP_HD bool transmits(const SceneView& scene, const MaterialRecord& m) {
+    if (m.kind == MaterialKind::Dielectric) return true;
+    if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
+        if (m.kind == MaterialKind::Principled) {
+            const PrincipledRecord& r = scene.principled[m.principled];
+            return r.transmission.value > 0 || r.diffuse_transmission.value > 0;
+        }
+    }
+    return false;
+}
+
+/// Moves the point of a smooth mesh that rays leave from where its triangle is to where its normals
+/// say that the surface is: else the triangle's own edge shadows what they light.
+template <uint32_t kFeatures>
+TP_HD void lift_off_mesh(const SceneView& scene, const Hittable& h, const MaterialRecord& m,
+                         const Hit& hit, Surface& s) {
+    if (h.kind != HittableKind::Mesh || transmits<kFeatures>(scene, m)) return;
+    const InstanceRecord& instance = scene.instances[h.mesh.instance];
+    const MeshView& mesh = scene.meshes[instance.mesh];
+    if (!instance.smooth || !mesh.attributes.normals) return;
+    s.point.position = lifted_position(mesh, instance, mesh.triangles[hit.primitive],
+                                       barycentric_at({hit.u, hit.v}), s.point.position, s.normal);
+}
+
 template <uint32_t kFeatures>
 TP_HD Vec3 emitted_radiance(const SceneView& scene, const MaterialRecord& m, const Surface& s) {
     const Vec3 color = Vec3(material_color<kFeatures>(scene, m.emission, s));

@@ -51,6 +51,7 @@ TP_HD PathState start_camera_path(const LaunchParams& params, const Sampler& sam
     path.origin = ray.origin;
     path.direction = ray.direction;
     path.t_max = ray.t_max;
+    if (!ray.is_on_film) path.throughput = {0, 0, 0};
     skip_to_scene(params.scene, path);
     return path;
 }
@@ -58,7 +59,8 @@ TP_HD PathState start_camera_path(const LaunchParams& params, const Sampler& sam
 /// Step 2: what the path meets next.
 template <uint32_t kFeatures>
 TP_HD Hit intersect(const LaunchParams& params, const PathState& path) {
-    return intersect_scene<kFeatures>(params.scene, path.origin, path.direction, path.t_max);
+    return intersect_scene<kFeatures>(params.scene, path.origin, path.direction, path.t_max,
+                                      path.depth == 1 ? kRayCamera : kRayScattered);
 }
 
 /// Sends the path on from `s` in direction `direction`.
@@ -69,22 +71,14 @@ TP_HD void leave_surface(PathState& path, const Surface& s, Vec3 direction) {
     ++path.vertex;
 }
 
-/// What is read at a sampled point of a light: its place and texture coordinates.
-template <uint32_t kFeatures>
-TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& light,
-                                 const Hittable& emitter, const SurfacePoint& point) {
-    Surface s;
-    s.point = point;
-    if constexpr ((kFeatures & kFeatureMeshes) != 0) {
-        if (emitter.kind == HittableKind::Mesh) {
-            const InstanceRecord& instance = scene.instances[emitter.mesh.instance];
-            const MeshView& mesh = scene.meshes[instance.mesh];
-            add_mesh_attributes<kFeatures>(mesh, instance, mesh.triangles[light.primitive], s);
-            return s;
-        }
-    }
-    if constexpr ((kFeatures & kFeatureTextures) != 0) s.uv = texture_uv(emitter, point);
-    return s;
+/// `radiance` over a path of that many segments, cut at the setting's limit; what the camera sees
+/// itself is never cut.
+TP_HD Vec3 clamped(const PathSettings& settings, uint32_t segments, Vec3 radiance) {
+    const Real limit =
+        static_cast<Real>(segments <= 2 ? settings.clamp_direct : settings.clamp_indirect);
+    if (!(limit > 0) || segments <= 1) return radiance;
+    const Real most = max_component(radiance);
+    return most > limit ? radiance * (limit / most) : radiance;
 }
 
 /// True if the environment is one of the lights.
@@ -111,27 +105,24 @@ TP_HD void connect_environment(const LaunchParams& params, Vec2 u, const PathSta
         offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
     shadow.direction = sample.direction;
     shadow.distance = kInfinity;
-    shadow.light = {};
-    shadow.contribution = path.throughput * f * radiance * (weight / pdf);
+    shadow.ignored = {kNoHit, kNoHit, kRayShadow};
+    shadow.contribution =
+        clamped(params.settings, path.depth + 1, path.throughput * f * radiance * (weight / pdf));
     shadow.is_active = true;
 }
 
-/// The direct light at `s`: a point of a light, weighed against sampling the bsdf.
+/// The direct light of a point of a light at `s`, weighed against sampling the bsdf. `share` is the
+/// probability that it is a light that is aimed at.
 template <uint32_t kFeatures>
-TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, const PathState& path,
-                        const Surface& s, const Bsdf& bsdf, Vec3 wo, ShadowQuery& shadow) {
-    // Pick a light and a point on it.
-    constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
-    const uint32_t dimension = vertex_dimension(path.vertex);
-    const LightRecord& light = params.scene.lights[pick_light(
-        params.scene.lights, sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice))];
-    const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionLight);
-    if (aims_at_environment<kFeatures>(params.scene) && light.hittable == kEnvironmentLight)
-        return connect_environment<kFeatures>(params, u, path, s, bsdf, wo, shadow);
+TP_HD void connect_emitter(const LaunchParams& params, const LightChoice& choice, Real share,
+                           Vec2 u, const PathState& path, const Surface& s, const Bsdf& bsdf,
+                           Vec3 wo, ShadowQuery& shadow) {
+    // A point on the light.
+    const LightRecord& light = params.scene.lights[choice.light];
     const Hittable& emitter = params.scene.hittables[light.hittable];
     const MaterialRecord& material = params.scene.materials[emitter.material];
     const ShapeSample sample = sample_emitter<kFeatures>(params.scene, light, s.point.position, u);
-    const Real pdf = sample.pdf * light.probability;
+    const Real pdf = sample.pdf * choice.probability * share;
     const bool front = dot(sample.direction, sample.point.normal) < 0;
     if (!(pdf > 0) || !emits_towards(material, is_turned_inwards(emitter), front)) return;
 
@@ -142,19 +133,68 @@ TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, cons
     // What comes from there.
     const Surface at_light =
         surface_of_emitter<kFeatures>(params.scene, light, emitter, sample.point);
-    Vec3 radiance = emitted_radiance<kFeatures>(params.scene, material, at_light);
+    Vec3 radiance = emitted_radiance<kFeatures>(params.scene, material, at_light) *
+                    cone_share(material, dot(sample.direction, sample.point.normal));
+    if (is_black(radiance)) return;
     if constexpr ((kFeatures & kFeatureOpacity) != 0)
         radiance *=
             opacity_of(material, surface_color<kFeatures>(params.scene, material, at_light).w);
 
-    const Real weight = mis_weight(pdf, bsdf_pdf<kFeatures>(bsdf, wo, sample.direction));
+    // Scattered rays do not find lights that are hidden from them.
+    Real weight = 1;
+    if ((emitter.hidden_from & kRayScattered) == 0)
+        weight = mis_weight(pdf, bsdf_pdf<kFeatures>(bsdf, wo, sample.direction));
     shadow.origin =
         offset_ray_origin(s.point.position, s.point.error, s.point.normal, sample.direction);
     shadow.direction = sample.direction;
     shadow.distance = sample.distance;
-    shadow.light = {light.hittable, light.primitive};
-    shadow.contribution = path.throughput * f * radiance * (weight / pdf);
+    shadow.ignored = {light.hittable, light.primitive, kRayShadow};
+    shadow.contribution =
+        clamped(params.settings, path.depth + 1, path.throughput * f * radiance * (weight / pdf));
     shadow.is_active = true;
+}
+
+/// The probability that light sampling aims at the environment instead of a light.
+template <uint32_t kFeatures>
+TP_HD Real environment_share(const SceneView& scene) {
+    return aims_at_environment<kFeatures>(scene) ? scene.background.light_probability : Real(0);
+}
+
+/// The direct light at `s`, of the environment or of a light.
+template <uint32_t kFeatures>
+TP_HD void sample_light(const LaunchParams& params, const Sampler& sampler, const PathState& path,
+                        const Surface& s, const Bsdf& bsdf, Vec3 wo, ShadowQuery& shadow) {
+    constexpr bool kSobol = (kFeatures & kFeatureSobol) != 0;
+    const SceneView& scene = params.scene;
+    const uint32_t dimension = vertex_dimension(path.vertex);
+    const Vec2 u = sample_2d<kSobol>(sampler, dimension + kDimensionLight);
+    Real which = sample_1d<kSobol>(sampler, dimension + kDimensionLightChoice);
+    const Real share = 1 - environment_share<kFeatures>(scene);
+    if constexpr ((kFeatures & kFeatureTextures) != 0) {
+        if (which >= share)
+            return connect_environment<kFeatures>(params, u, path, s, bsdf, wo, shadow);
+    }
+    if (scene.lights.empty()) return;
+    which = min(which / share, kOneMinusEpsilon);
+    const LightChoice choice =
+        pick_light(scene, params.settings.light_rule, s.point.position, s.normal, which);
+    if (choice.probability > 0)
+        connect_emitter<kFeatures>(params, choice, share, u, path, s, bsdf, wo, shadow);
+}
+
+/// What the emission of `hittable`, which the path met at `s`, counts for beside light sampling.
+template <uint32_t kFeatures>
+TP_HD Real emission_weight(const LaunchParams& params, const PathState& path, const Hit& hit,
+                           const Hittable& hittable, const Surface& s) {
+    const SceneView& scene = params.scene;
+    if (!(path.bsdf_pdf > 0) || !params.settings.light_sampling || hittable.light == kNoLight)
+        return 1;
+    const uint32_t light = hittable.light + hit.primitive;
+    const Real pdf =
+        light_probability(scene, params.settings.light_rule, light, path.last, path.last_normal) *
+        (1 - environment_share<kFeatures>(scene)) *
+        emitter_pdf<kFeatures>(scene, hittable, hit, path.last, path.direction, s.point);
+    return mis_weight(path.bsdf_pdf, pdf);
 }
 
 /// The integrators that end at the first surface.
@@ -164,6 +204,23 @@ TP_HD Vec3 first_hit_color(const LaunchParams& params, const Surface& s,
     if (params.settings.integrator == IntegratorKind::Normal)
         return (s.normal + Vec3(1, 1, 1)) * Real(0.5);
     return albedo_of<kFeatures>(params.scene, material, s);
+}
+
+/// The channel of red, green, blue that a path has left beyond a surface that disperses light; -1:
+/// all. The first such surface leaves one of them, for the rest of the path.
+template <uint32_t kFeatures>
+TP_HD int dispersed_channel(const LaunchParams& params, const Sampler& sampler,
+                            const MaterialRecord& material, PathState& path) {
+    if (!disperses<kFeatures>(params.scene, material)) return -1;
+    const Real u = sample_1d<(kFeatures & kFeatureSobol) != 0>(sampler, kDimensionChannel);
+    const int channel = min(static_cast<int>(3 * u), 2);
+    if (!path.one_channel) {
+        Vec3 left{0, 0, 0};
+        left[channel] = 3 * path.throughput[channel];
+        path.throughput = left;
+        path.one_channel = true;
+    }
+    return channel;
 }
 
 /// Step 3: gathers what the path has met and chooses where it goes. Returns false where it ends;
@@ -183,13 +240,15 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
                 path.bsdf_pdf,
                 scene.background.light_probability *
                     environment_pdf(scene.environment, scene.background, path.direction));
-        path.radiance +=
-            path.throughput * background_radiance<kFeatures>(scene, path.direction) * weight;
+        const Vec3 radiance = path.depth == 1
+                                  ? backdrop_radiance<kFeatures>(scene, path.direction)
+                                  : background_radiance<kFeatures>(scene, path.direction);
+        path.radiance += clamped(settings, path.depth, path.throughput * radiance * weight);
         return false;
     }
     const Hittable& hittable = scene.hittables[hit.index];
     const MaterialRecord& material = scene.materials[hittable.material];
-    const Surface s = make_surface<kFeatures>(scene, hittable, path.origin, path.direction, hit);
+    Surface s = make_surface<kFeatures>(scene, hittable, path.origin, path.direction, hit);
     if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
         if (!s.front) path.throughput *= transmittance_within<kFeatures>(scene, material, hit.t);
     }
@@ -218,13 +277,10 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     // Emission, weighed against light sampling.
     if constexpr ((kFeatures & kFeatureLights) != 0) {
         if (emits_towards(material, is_turned_inwards(hittable), s.front)) {
-            Real weight = 1;
-            if (path.bsdf_pdf > 0 && settings.light_sampling)
-                weight = mis_weight(path.bsdf_pdf,
-                                    light_pdf<kFeatures>(scene, hittable, hit, path.origin,
-                                                         path.direction, s.point));
-            path.radiance +=
-                path.throughput * emitted_radiance<kFeatures>(scene, material, s) * weight;
+            const Vec3 radiance = emitted_radiance<kFeatures>(scene, material, s) *
+                                  cone_share(material, dot(path.direction, s.point.normal));
+            const Real weight = emission_weight<kFeatures>(params, path, hit, hittable, s);
+            path.radiance += clamped(settings, path.depth, path.throughput * radiance * weight);
         }
     }
     if (material.kind == MaterialKind::DiffuseLight ||
@@ -232,10 +288,15 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
         return false;
 
     // Direct light.
+    if constexpr ((kFeatures & kFeatureMeshes) != 0) {
+        if (settings.terminator_fix) lift_off_mesh<kFeatures>(scene, hittable, material, hit, s);
+    }
+    const int channel = dispersed_channel<kFeatures>(params, sampler, material, path);
     const Vec3 wo = -path.direction;
-    const Bsdf bsdf = make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter);
+    const Bsdf bsdf =
+        make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter, channel);
     if constexpr ((kFeatures & kFeatureLights) != 0) {
-        if (settings.light_sampling && !scene.lights.empty() && !is_specular(bsdf))
+        if (settings.light_sampling && !is_specular(bsdf))
             sample_light<kFeatures>(params, sampler, path, s, bsdf, wo, shadow);
     }
 
@@ -249,6 +310,8 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     path.throughput *= next.weight;
     path.eta_scale *= next.eta_scale;
     path.bsdf_pdf = next.pdf;
+    path.last = s.point.position;
+    path.last_normal = s.normal;
     leave_surface(path, s, next.wi);
 
     // Russian roulette.
@@ -271,7 +334,7 @@ TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) 
     const SceneView& scene = params.scene;
     if constexpr ((kFeatures & kFeatureOpacity) == 0) {
         const bool blocked = is_blocked<kFeatures>(scene, shadow.origin, shadow.direction,
-                                                   shadow.distance, shadow.light);
+                                                   shadow.distance, shadow.ignored);
         return blocked ? Vec3(0, 0, 0) : Vec3(1, 1, 1);
     } else {
         // From surface to surface; each lets its share through.
@@ -281,7 +344,7 @@ TP_HD Vec3 transmittance(const LaunchParams& params, const ShadowQuery& shadow) 
         for (uint32_t i = 0; i < kMaxPassThrough; ++i) {
             Hit hit;
             hit.t = left;
-            if (!traverse<kFeatures, false>(scene, origin, shadow.direction, shadow.light, hit))
+            if (!traverse<kFeatures, false>(scene, origin, shadow.direction, shadow.ignored, hit))
                 return share;
             const Hittable& hittable = scene.hittables[hit.index];
             const MaterialRecord& material = scene.materials[hittable.material];

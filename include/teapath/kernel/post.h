@@ -29,9 +29,19 @@ struct Rgb8 {
     uint8_t r, g, b;
 };
 
-/// Exposure in stops, the tone curve, then 8 bits rounded to nearest.
+/// What radiance is multiplied by. An exposure value puts white at 1.2 * 2^EV (ISO 12232 by its
+/// saturation speed, for a lens that passes 0.65 and a sensor that is full at 0.78).
+TP_HD float exposure_scale(const DisplaySettings& display) {
+    float ev = display.ev;
+    if (display.rule == ExposureRule::Stops) return exp2f(display.exposure);
+    if (display.rule == ExposureRule::Photo)
+        ev = log2f(display.f_number * display.f_number / display.shutter * 100 / display.iso);
+    return exp2f(display.exposure - ev) / 1.2f;
+}
+
+/// Exposure, the tone curve, then 8 bits rounded to nearest.
 TP_HD Rgb8 display_color(Vec3 radiance, const DisplaySettings& display) {
-    const Vec3 c = tone_map(radiance * static_cast<Real>(exp2f(display.exposure)), display.curve);
+    const Vec3 c = tone_map(radiance * static_cast<Real>(exposure_scale(display)), display.curve);
     const auto code = [](Real x) {
         return static_cast<uint8_t>(static_cast<float>(x) * 255.0f + 0.5f);
     };

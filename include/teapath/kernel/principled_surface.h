@@ -26,13 +26,13 @@ TP_HD Frame tangent_frame(const Surface& s, Vec3 normal) {
 }
 
 /// The shading normal after a normal map: its numbers are 2 c - 1 of the texture's.
-TP_HD Vec3 mapped_normal(const SceneView& scene, const PrincipledRecord& r, const Surface& s) {
-    const Vec4 c = color_at(scene, ColorRef{{0, 0, 0}, r.normal}, {s.uv, s.uv1, s.point.position});
+TP_HD Vec3 mapped_normal(const SceneView& scene, int32_t texture, Real scale, const Surface& s) {
+    const Vec4 c = color_at(scene, ColorRef{{0, 0, 0}, texture}, {s.uv, s.uv1, s.point.position});
     const Frame frame = tangent_frame(s, s.normal);
     // The tangent frame of the front, also when seen from behind.
     const Real side = s.front ? Real(1) : Real(-1);
-    const Vec3 local{(2 * c.x - 1) * r.normal_scale,
-                     (2 * c.y - 1) * r.normal_scale * s.tangent.w * side, 2 * c.z - 1};
+    const Vec3 local{(2 * c.x - 1) * scale, (2 * c.y - 1) * scale * s.tangent.w * side,
+                     2 * c.z - 1};
     const Real l2 = length_squared(local);
     return l2 > Real(1e-12) ? frame.to_world(local * tp::rsqrt(l2)) : s.normal;
 }
@@ -43,9 +43,10 @@ TP_HD GgxAlpha ggx_alpha(Real roughness, Real anisotropy) {
     return {lerp(alpha, Real(1), sqr(anisotropy)), alpha};
 }
 
+/// The parameters but for the coat's normal; of what disperses, those of `channel`, -1 for all.
 template <uint32_t kFeatures>
 TP_HD PrincipledParameters principled_parameters(const SceneView& scene, const PrincipledRecord& r,
-                                                 Vec3 base, const Surface& s) {
+                                                 Vec3 base, const Surface& s, int channel) {
     const auto number = [&](const NumberRef& ref) { return number_at<kFeatures>(scene, ref, s); };
     const auto share = [&](const NumberRef& ref) { return clamp(number(ref), Real(0), Real(1)); };
     const auto color = [&](const ColorRef& ref) {
@@ -57,8 +58,9 @@ TP_HD PrincipledParameters principled_parameters(const SceneView& scene, const P
     p.alpha = ggx_alpha(number(r.roughness), share(r.anisotropy));
     p.thin = r.thin;
     p.compensation = r.compensation;
-    p.eta = s.front || r.thin ? r.ior : 1 / r.ior;
-    const Real f0 = sqr((r.ior - 1) / (r.ior + 1));
+    const Real ior = channel < 0 ? r.ior : r.ior + static_cast<Real>(channel - 1) * r.ior_spread;
+    p.eta = s.front || r.thin ? ior : 1 / ior;
+    const Real f0 = sqr((ior - 1) / (ior + 1));
     p.f90 = share(r.specular);
     p.f0 = min(color(r.specular_color) * f0, Vec3(1, 1, 1)) * p.f90;
     p.transmission = share(r.transmission);
@@ -66,6 +68,11 @@ TP_HD PrincipledParameters principled_parameters(const SceneView& scene, const P
     p.diffuse_transmission_color = color(r.diffuse_transmission_color);
     p.coat = share(r.coat);
     p.coat_alpha = ggx_alpha(number(r.coat_roughness), 0).x;
+    p.film = share(r.iridescence);
+    if (p.film > 0) {
+        p.film_ior = r.film_ior;
+        p.film_thickness = lerp(r.film_low, r.film_high, share(r.film_thickness));
+    }
     p.sheen = color(r.sheen_color);
     p.sheen_alpha = max(sqr(share(r.sheen_roughness)), kLeastSheenAlpha);
     return p;
@@ -74,13 +81,18 @@ TP_HD PrincipledParameters principled_parameters(const SceneView& scene, const P
 /// Fills the principled part of `b` for the direction wo.
 template <uint32_t kFeatures>
 TP_HD void make_principled_bsdf(const SceneView& scene, const MaterialRecord& m, Vec3 color,
-                                const Surface& s, Vec3 wo, Bsdf& b) {
+                                const Surface& s, Vec3 wo, int channel, Bsdf& b) {
     const PrincipledRecord& r = scene.principled[m.principled];
+    Vec3 coat_normal = s.normal;
     if constexpr ((kFeatures & kFeatureTextures) != 0) {
-        if (r.normal >= 0) {
-            const Vec3 mapped = mapped_normal(scene, r, s);
-            if (dot(mapped, wo) > 0) b.normal = mapped;  // else the eye sees none of this facet
-        }
+        // A facet that the eye does not see stays as it is.
+        const auto map = [&](int32_t texture, Real scale, Vec3& normal) {
+            if (texture < 0) return;
+            const Vec3 mapped = mapped_normal(scene, texture, scale, s);
+            if (dot(mapped, wo) > 0) normal = mapped;
+        };
+        map(r.normal, r.normal_scale, b.normal);
+        map(r.coat_normal, r.coat_normal_scale, coat_normal);
     }
     PlacedLobes& placed = b.principled;
     placed.frame = tangent_frame(s, b.normal);
@@ -89,8 +101,9 @@ TP_HD void make_principled_bsdf(const SceneView& scene, const MaterialRecord& m,
         placed.frame = {x, cross(b.normal, x), b.normal};
     }
     placed.tables = scene.albedo_tables;
-    placed.lobes = make_principled(principled_parameters<kFeatures>(scene, r, color, s),
-                                   scene.albedo_tables, placed.local_wo(wo).z);
+    PrincipledParameters p = principled_parameters<kFeatures>(scene, r, color, s, channel);
+    if (r.normal >= 0 || r.coat_normal >= 0) p.coat_normal = placed.frame.to_local(coat_normal);
+    placed.lobes = make_principled(p, scene.albedo_tables, placed.local_wo(wo));
 }
 
 }  // namespace tp

@@ -36,6 +36,7 @@ struct MaterialRecord {
         Real eta;             // Dielectric: index behind the normal over the index before it
         uint32_t principled;  // Principled: index of the PrincipledRecord
     };
+    Real cone_cosine = 0, cone_gain = 0;  // of emission; gain 0: the whole half space
     AlphaMode alpha = AlphaMode::Blend;
     Real alpha_cutoff = Real(0.5);
     Real opacity = 1;
@@ -54,10 +55,16 @@ struct PrincipledRecord {
     ColorRef specular_color;
     Real anisotropy_cosine = 1, anisotropy_sine = 0;  // of its direction from the tangent
     Real ior = Real(1.5);
+    Real ior_spread = 0;  // of blue over green and of green over red
     NumberRef transmission, diffuse_transmission;
     ColorRef diffuse_transmission_color;
     Vec3 absorption{0, 0, 0};  // within, per scene unit
     NumberRef coat, coat_roughness;
+    int32_t coat_normal = -1;  // as `normal`
+    Real coat_normal_scale = 1;
+    NumberRef iridescence, film_thickness;  // the latter is a share of what follows
+    Real film_ior = Real(1.3);
+    Real film_low = 0, film_high = 0;  // nanometres
     ColorRef sheen_color;
     NumberRef sheen_roughness;
     int32_t normal = -1;  // index of the TextureRecord of a normal map
@@ -96,18 +103,27 @@ struct TextureRecord {
     TP_HD_MEMBER TextureRecord() : kind(TextureKind::Constant), constant(0, 0, 0) {}
 };
 
-/// An emitting hittable, a triangle of one, or the environment, in an alias table (Walker 1977;
-/// Vose 1991) by power.
+/// An emitting hittable, or a triangle of one.
 struct LightRecord {
-    uint32_t hittable;     // or kEnvironmentLight
-    uint32_t primitive;    // of a mesh, else 0
-    Real probability;      // that this light is picked
-    Real alias_threshold;  // of the table's column: below it this light, else `alias`
-    uint32_t alias;
+    uint32_t hittable;
+    uint32_t primitive;  // of a mesh, else 0
+    uint32_t trail;      // the way from the tree's root, the first turn lowest: 1 = second child
 };
 
-/// The environment among the LightRecords, in place of a hittable.
-inline constexpr uint32_t kEnvironmentLight = 0xffffffff;
+/// A node of the tree of lights (light_tree.h). Its first child follows it.
+struct LightNode {
+    Vec3 low, high;   // box of the lights
+    Vec3 axis;        // unit; the cone around it that holds their normals
+    Real cos_spread;  // of its half angle; -1: all directions
+    Real cos_reach;   // of the angle from a normal within which light is sent
+    Real power;       // luminance times area, up to a common factor
+    uint32_t next;    // the second child; of a leaf the light
+    uint8_t is_leaf;
+    uint8_t two_sided;  // some of them emit on both sides
+};
+
+/// The depth of that tree at most: the bits of LightRecord::trail.
+inline constexpr uint32_t kMaxLightTreeDepth = 32;
 
 /// A row or a cell of the environment's grid in an alias table.
 struct EnvironmentCell {
@@ -127,18 +143,33 @@ struct BackgroundRecord {
     Vec3 bottom{0, 0, 0}, top{0, 0, 0};  // Gradient; Constant has its colour in `bottom`
     int32_t texture = -1;                // Image; -1 = a missing one
     Real cos_rotation = 1, sin_rotation = 0;
-    Real strength = 1;
-    Real light_probability = 0;  // that light sampling picks it; 0: never
+    Vec3 scale{1, 1, 1};         // strength and tint
+    Real light_probability = 0;  // that light sampling picks it, not a light; 0: never
+
+    Vec3 sun_direction{0, 1, 0};  // unit
+    Vec3 sun_radiance{0, 0, 0};   // added to what is behind
+    Real sun_chord2 = 0;          // of its radius: squared distance of unit directions; 0 = no sun
+    Real sun_probability = 0;     // that sampling the background picks the sun
+
+    BackdropKind backdrop = BackdropKind::Same;
+    Vec3 backdrop_color{0, 0, 0};
+    int32_t backdrop_texture = -1;
 };
 
 struct CameraRecord {
+    ProjectionKind projection = ProjectionKind::Perspective;
     Vec3 origin{0, 0, 0};
     Vec3 forward{0, 0, -1};  // unit
     Vec3 right{1, 0, 0};     // unit
     Vec3 up{0, 1, 0};        // unit
-    Real half_width = 1;     // of the film at distance 1 along `forward`
+    // Half of the film: Perspective at distance 1 along `forward`, Orthographic in scene units,
+    // Fisheye in radians.
+    Real half_width = 1;
     Real half_height = 1;
+    Vec2 shift{0, 0};  // of the film, in halves of it
     Real lens_radius = 0;
+    int32_t blades = 0;                     // of the aperture; below 3 it is round
+    Real blade_cosine = 1, blade_sine = 0;  // of its rotation
     Real focus_distance = 1;
     Real near_clip = 0;  // along `forward`; 0 = off
     Real far_clip = kInfinity;

@@ -14,7 +14,8 @@ enum SceneFeature : uint32_t {
     kFeatureDebug = 32,        // integrators other than Path and Book; brute force
     kFeatureMeshes = 64,       // hittables that are meshes
     kFeaturePrincipled = 128,  // materials of many lobes
-    kFeatureAll = 255
+    kFeatureHiding = 256,      // hittables that some rays pass through
+    kFeatureAll = 511
 };
 
 }  // namespace tp

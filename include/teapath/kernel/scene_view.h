@@ -12,6 +12,7 @@ struct SceneView {
     Span<const MeshView> meshes;
     Span<const InstanceRecord> instances;
     Span<const LightRecord> lights;
+    Span<const LightNode> light_nodes;
     Span<const MaterialRecord> materials;
     Span<const uint32_t> material_ids;
     Span<const PrincipledRecord> principled;

@@ -18,6 +18,10 @@ struct PathSettings {
     int32_t max_depth = 50;      // path segments, 1 to 4096; 1 = emission seen by the camera only
     int32_t roulette_depth = 5;  // segments before Russian roulette starts; 0 = never
     bool light_sampling = true;  // next-event estimation with multiple importance sampling
+    LightRule light_rule = LightRule::Tree;
+    float clamp_direct = 0;      // most radiance of light that was scattered once; 0 = any
+    float clamp_indirect = 0;    // of light that was scattered more often; 0 = any
+    bool terminator_fix = true;  // lifts rays that leave smooth meshes off their flat triangles
     ScatterRule scatter = ScatterRule::Cosine;  // Book integrator only
     SamplerKind sampler = SamplerKind::Tea;
     int32_t tea_rounds = 8;   // of the path's random numbers, 6 to 32
@@ -28,7 +32,12 @@ struct PathSettings {
 };
 
 struct DisplaySettings {
-    float exposure = 0;  // stops; radiance is multiplied by 2^exposure
+    float exposure = 0;  // stops; radiance is multiplied by 2^exposure, after the rule
+    ExposureRule rule = ExposureRule::Stops;
+    float ev = 10;          // Ev: exposure value at ISO 100
+    float f_number = 8;     // Photo
+    float shutter = 0.01f;  // Photo: seconds
+    float iso = 100;        // Photo
     ToneCurve curve = ToneCurve::Srgb;
 
     friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;

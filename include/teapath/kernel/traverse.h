@@ -17,16 +17,21 @@ TP_HD void clip_box(const Bounds& b, Vec3 origin, Vec3 inverse, Real& entry, Rea
     }
 }
 
-/// What a query passes over: a hittable, of a mesh one triangle. kNoHit for none.
+/// What a query passes over: a hittable, of a mesh one triangle (kNoHit for none), and what is
+/// hidden from rays of this kind.
 struct Ignored {
     uint32_t hittable = kNoHit;
     uint32_t primitive = kNoHit;
+    uint8_t ray = 0;  // a RayKind
 };
 
 template <uint32_t kFeatures, bool kAny>
 TP_HD bool intersect_one(const SceneView& scene, uint32_t i, Vec3 origin, Vec3 direction,
                          const Ignored& ignored, Hit& hit) {
     const Hittable& h = scene.hittables[i];
+    if constexpr ((kFeatures & kFeatureHiding) != 0) {
+        if ((h.hidden_from & ignored.ray) != 0) return false;
+    }
     bool met;
     if constexpr ((kFeatures & kFeatureMeshes) != 0) {
         if (h.kind == HittableKind::Mesh) {
@@ -68,10 +73,11 @@ TP_HD bool traverse(const SceneView& scene, Vec3 origin, Vec3 direction, const I
 
 /// The nearest hit with 0 < t < t_max; index kNoHit if there is none.
 template <uint32_t kFeatures>
-TP_HD Hit intersect_scene(const SceneView& scene, Vec3 origin, Vec3 direction, Real t_max) {
+TP_HD Hit intersect_scene(const SceneView& scene, Vec3 origin, Vec3 direction, Real t_max,
+                          uint8_t ray = kRayCamera) {
     Hit hit;
     hit.t = t_max;
-    traverse<kFeatures, false>(scene, origin, direction, {}, hit);
+    traverse<kFeatures, false>(scene, origin, direction, {kNoHit, kNoHit, ray}, hit);
     return hit;
 }
 

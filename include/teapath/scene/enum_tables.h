@@ -120,7 +120,41 @@ struct EnumTable<BackgroundKind> {
     using E = BackgroundKind;
     static constexpr std::array rows = {EnumRow<E>{E::Gradient, "gradient", "Gradient"},
                                         EnumRow<E>{E::Constant, "constant", "Constant"},
+                                        EnumRow<E>{E::Image, "image", "Image"},
+                                        EnumRow<E>{E::Sky, "sky", "Sky and sun"}};
+};
+
+template <>
+struct EnumTable<BackdropKind> {
+    using E = BackdropKind;
+    static constexpr std::array rows = {EnumRow<E>{E::Same, "same", "The same"},
+                                        EnumRow<E>{E::Constant, "constant", "Constant"},
                                         EnumRow<E>{E::Image, "image", "Image"}};
+};
+
+template <>
+struct EnumTable<SunRule> {
+    using E = SunRule;
+    static constexpr std::array rows = {EnumRow<E>{E::Angles, "angles", "Angles"},
+                                        EnumRow<E>{E::Place, "place", "Place and time"}};
+};
+
+template <>
+struct EnumTable<ProjectionKind> {
+    using E = ProjectionKind;
+    static constexpr std::array rows = {
+        EnumRow<E>{E::Perspective, "perspective", "Perspective"},
+        EnumRow<E>{E::Orthographic, "orthographic", "Orthographic"},
+        EnumRow<E>{E::Fisheye, "fisheye", "Fisheye"},
+        EnumRow<E>{E::Equirectangular, "equirectangular", "Equirectangular"}};
+};
+
+template <>
+struct EnumTable<ExposureRule> {
+    using E = ExposureRule;
+    static constexpr std::array rows = {EnumRow<E>{E::Stops, "stops", "Stops"},
+                                        EnumRow<E>{E::Ev, "ev", "Exposure value"},
+                                        EnumRow<E>{E::Photo, "photo", "Photo camera"}};
 };
 
 template <>
@@ -146,6 +180,13 @@ struct EnumTable<SamplerKind> {
     using E = SamplerKind;
     static constexpr std::array rows = {EnumRow<E>{E::Tea, "tea", "TEA (independent)"},
                                         EnumRow<E>{E::Sobol, "sobol", "Owen-scrambled Sobol"}};
+};
+
+template <>
+struct EnumTable<LightRule> {
+    using E = LightRule;
+    static constexpr std::array rows = {EnumRow<E>{E::Tree, "tree", "By a tree of lights"},
+                                        EnumRow<E>{E::Uniform, "uniform", "Each alike"}};
 };
 
 template <>

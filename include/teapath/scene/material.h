@@ -71,6 +71,8 @@ struct Material {
     TexturedColor emission{{1, 1, 1}, {}};  // radiance per channel of what emits
     double strength = 1;                    // multiplies emission
     EmissionSide side = EmissionSide::Auto;
+    double spot_angle = 180;  // of what emits: degrees across the cone about the normal, 0 to 180
+    double spot_blend = 0;    // share of that angle over which its edge fades, 0 to 1
 
     PrincipledSurface surface;
 

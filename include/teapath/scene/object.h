@@ -87,6 +87,9 @@ struct Object {
     MaterialId material;
     bool inside_out = false;  // turns the normal round
     bool visible = true;
+    bool camera_visible = true;      // to rays of the camera
+    bool casts_shadows = true;       // on what lights shine at
+    bool reflection_visible = true;  // to rays that were scattered
     ModelPart part;
 
     friend bool operator==(const Object&, const Object&) = default;

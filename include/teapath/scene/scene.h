@@ -18,6 +18,23 @@
 
 namespace tp {
 
+/// A clear sky with the sun in it; device/sky_image.h has the model. North is -z, east is +x.
+struct Sky {
+    SunRule sun_by = SunRule::Angles;
+    double sun_elevation = 35;      // Angles: degrees above the horizon, -90 to 90
+    double sun_azimuth = 120;       // Angles: degrees from north to the east
+    double latitude = 48;           // Place: degrees, north is positive
+    double longitude = 11;          // Place: degrees, east is positive
+    double day = 172;               // Place: of the year, 1 to 366
+    double hour = 15;               // Place: of the day in UTC, 0 to 24
+    double sun_size = 0.53;         // degrees across, 0.01 to 90
+    double sun_strength = 1;        // times that of the sun; 0 = a sky without its disk
+    double haze = 1;                // aerosols, times those of clear air, 0 to 20
+    Double3 ground{0.3, 0.3, 0.3};  // albedo of the earth below the horizon
+
+    friend bool operator==(const Sky&, const Sky&) = default;
+};
+
 struct Background {
     BackgroundKind kind = BackgroundKind::Gradient;
     Double3 bottom{1, 1, 1};  // Gradient: lerp(bottom, top, (y + 1) / 2) of the unit direction
@@ -25,8 +42,14 @@ struct Background {
     Double3 color{0, 0, 0};  // Constant
     ImageFile file;          // Image: equirectangular; -z at its edges, +x a quarter from the left
     ColorSpace color_space = ColorSpace::Auto;
-    double rotation = 0;  // Image: degrees about y
-    double strength = 1;  // multiplies every kind
+    double rotation = 0;    // Image: degrees about y
+    double strength = 1;    // multiplies every kind
+    Double3 tint{1, 1, 1};  // Image, Sky
+    Sky sky;
+
+    BackdropKind backdrop = BackdropKind::Same;
+    Double3 backdrop_color{0, 0, 0};  // Constant
+    ImageFile backdrop_file;          // Image: equirectangular, turned as `file` is
 
     friend bool operator==(const Background&, const Background&) = default;
 };
@@ -77,6 +100,13 @@ const Material* find(const Scene& scene, MaterialId id);
 const Texture* find(const Scene& scene, TextureId id);
 const Object* find(const Scene& scene, ObjectId id);
 const Camera* find(const Scene& scene, CameraId id);
+
+struct SunPosition {
+    double elevation = 0, azimuth = 0;  // degrees: above the horizon; from north to the east
+};
+/// Where the sky's sun stands (Spencer, "Fourier Series Representation of the Position of the Sun",
+/// 1971; within half a degree).
+SunPosition sun_position(const Sky& sky);
 
 /// The camera to render: the active one, else the first, else a default camera.
 Camera active_camera(const Scene& scene);

@@ -1,6 +1,8 @@
 // Inspector of cameras; the options panel shows the same rows for the active one.
 #include "inspector.h"
 
+#include <teapath/scene/enum_tables.h>
+
 #include <icons_font_awesome_6.h>
 
 #include <cmath>
@@ -36,6 +38,44 @@ void direction_row(PropertyRows<Camera>& rows) {
     });
 }
 
+void film_rows(PropertyRows<Camera>& rows) {
+    ProjectionKind projection = rows.active().projection;
+    const ProjectionKind standard = rows.standard().projection;
+    if (ui::row("Projection", projection, "How directions come onto the film", &standard,
+                !rows.is_same([](auto& c) -> auto& { return c.projection; })))
+        rows.apply("Projection", false, [&](Camera& c) {
+            c.projection = projection;
+            if (projection != ProjectionKind::Fisheye)
+                c.vertical_fov = std::min(c.vertical_fov, 170.0);
+        });
+    if (projection == ProjectionKind::Orthographic)
+        rows.number(
+            {.name = "Height",
+             .help = "What the height of the picture shows, in scene units",
+             .speed = 0.01,
+             .low = 1e-6,
+             .high = 1e9,
+             .relative = true},
+            [](auto& c) -> auto& { return c.film_height; });
+    else if (projection != ProjectionKind::Equirectangular)
+        rows.number(
+            {.name = "Field of view",
+             .help = "Vertical angle of the picture; the wheel over the picture changes it too",
+             .speed = 0.2,
+             .low = 1,
+             .high = projection == ProjectionKind::Fisheye ? 360.0 : 170.0,
+             .decimals = 1,
+             .unit = "\xc2\xb0"},
+            [](auto& c) -> auto& { return c.vertical_fov; });
+    rows.number(
+        {.name = "Shift",
+         .help = "Of the film to the right and up, in its width and height",
+         .speed = 0.002,
+         .low = -100,
+         .high = 100},
+        [](auto& c) -> auto& { return c.shift; });
+}
+
 void lens_rows(PropertyRows<Camera>& rows) {
     rows.number(
         {.name = "Aperture",
@@ -45,6 +85,23 @@ void lens_rows(PropertyRows<Camera>& rows) {
          .high = 1e6,
          .relative = true},
         [](auto& c) -> auto& { return c.aperture; });
+    if (rows.active().aperture > 0) {
+        rows.number(
+            {.name = "Blades",
+             .help = "Corners of the aperture; below 3 it is round",
+             .speed = 0.05,
+             .low = 0,
+             .high = 32},
+            [](auto& c) -> auto& { return c.blades; });
+        if (rows.active().blades >= 3)
+            rows.number(
+                {.name = "Blade rotation",
+                 .help = "Counter-clockwise from a corner at the top",
+                 .speed = 0.5,
+                 .decimals = 1,
+                 .unit = "\xc2\xb0"},
+                [](auto& c) -> auto& { return c.blade_rotation; });
+    }
     rows.number(
         {.name = "Focus distance",
          .help = "Distance of the sharp plane; 0 is the point that is looked at",
@@ -92,15 +149,7 @@ PropertyRows<Camera> camera_property_rows(PanelContext& c, const std::vector<Cam
 }
 
 void camera_rows(PropertyRows<Camera>& rows) {
-    rows.number(
-        {.name = "Field of view",
-         .help = "Vertical angle of the picture; the wheel over the picture changes it too",
-         .speed = 0.2,
-         .low = 1,
-         .high = 170,
-         .decimals = 1,
-         .unit = "\xc2\xb0"},
-        [](auto& c) -> auto& { return c.vertical_fov; });
+    film_rows(rows);
     rows.number(
         {.name = "Position",
          .help = "Where the camera is, in scene units",

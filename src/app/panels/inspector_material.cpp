@@ -167,6 +167,23 @@ void emission_rows(PropertyRows<Material>& rows) {
     rows.choice(
         "Emits on", "Which side gives light; automatic is the outer one",
         [](auto& m) -> auto& { return m.side; });
+    rows.number(
+        {.name = "Spot angle",
+         .help = "Across the cone about the normal that light is given in; 180\xc2\xb0 is all",
+         .speed = 0.2,
+         .low = 0.1,
+         .high = 180,
+         .decimals = 1,
+         .unit = "\xc2\xb0"},
+        [](auto& m) -> auto& { return m.spot_angle; });
+    if (rows.active().spot_angle < 180)
+        rows.number(
+            {.name = "Spot blend",
+             .help = "Share of the cone over which its edge fades",
+             .speed = 0.003,
+             .low = 0,
+             .high = 1},
+            [](auto& m) -> auto& { return m.spot_blend; });
 }
 
 void opacity_rows(PropertyRows<Material>& rows) {

@@ -71,6 +71,15 @@ void flag_rows(PropertyRows<Object>& rows) {
     rows.toggle(
         "Visible", "Hidden objects are not rendered", [](auto& o) -> auto& { return o.visible; });
     rows.toggle(
+        "To the camera", "Seen by the camera itself",
+        [](auto& o) -> auto& { return o.camera_visible; });
+    rows.toggle(
+        "Casts shadows", "Stands in the way of what lights shine at",
+        [](auto& o) -> auto& { return o.casts_shadows; });
+    rows.toggle(
+        "In reflections", "Met by scattered light: in mirrors, behind glass, in indirect light",
+        [](auto& o) -> auto& { return o.reflection_visible; });
+    rows.toggle(
         "Inside out", "Turns the front, and with it the normal, round",
         [](auto& o) -> auto& { return o.inside_out; });
 }

@@ -69,6 +69,13 @@ void transmission_rows(PropertyRows<Material>& rows) {
             rows.color(
                 "Absorbs to", "What is left of white light after that distance",
                 [](auto& m) -> auto& { return m.surface.attenuation_color; });
+            rows.number(
+                {.name = "Dispersion",
+                 .help = "20 over the Abbe number: 0.36 is crown glass, 0.63 flint, 0 is none",
+                 .speed = 0.003,
+                 .low = 0,
+                 .high = 100},
+                [](auto& m) -> auto& { return m.surface.dispersion; });
         }
     }
     slot(
@@ -81,14 +88,53 @@ void transmission_rows(PropertyRows<Material>& rows) {
             [](auto& m) -> auto& { return m.surface.diffuse_transmission_color; });
 }
 
+void film_rows(PropertyRows<Material>& rows) {
+    slot(
+        rows, share("Iridescence", "A thin film with the colours of soap bubbles"),
+        [](auto& m) -> auto& { return m.surface.iridescence; });
+    if (!(rows.active().surface.iridescence.value > 0)) return;
+    rows.number(
+        {.name = "Film index",
+         .help = "Index of refraction of the film",
+         .speed = 0.003,
+         .low = 1,
+         .high = 10},
+        [](auto& m) -> auto& { return m.surface.iridescence_ior; });
+    ui::NumberRow thickness{.name = "Film thickness",
+                            .help = "In nanometres, where its texture is 1",
+                            .speed = 1,
+                            .low = 0,
+                            .high = 1e5,
+                            .decimals = 0,
+                            .unit = " nm"};
+    slot(
+        rows, thickness, [](auto& m) -> auto& { return m.surface.iridescence_thickness; });
+    if (!rows.active().surface.iridescence_thickness.texture) return;
+    thickness.name = "Film at least";
+    thickness.help = "In nanometres, where its texture is 0";
+    rows.number(
+        thickness, [](auto& m) -> auto& { return m.surface.iridescence_thickness_low; });
+}
+
 void layer_rows(PropertyRows<Material>& rows) {
     slot(
         rows, share("Coat", "A clear varnish of index 1.5 on top"),
         [](auto& m) -> auto& { return m.surface.coat; });
-    if (rows.active().surface.coat.value > 0)
+    if (rows.active().surface.coat.value > 0) {
         slot(
             rows, share("Coat roughness", "Roughness of the varnish"),
             [](auto& m) -> auto& { return m.surface.coat_roughness; });
+        slot(
+            rows, {.name = "Coat normal", .help = "An image of the varnish's normals"},
+            [](auto& m) -> auto& { return m.surface.coat_normal; });
+        if (rows.active().surface.coat_normal)
+            rows.number(
+                {.name = "Coat scale",
+                 .help = "Exaggerates or flattens the varnish's map",
+                 .speed = 0.01},
+                [](auto& m) -> auto& { return m.surface.coat_normal_scale; });
+    }
+    film_rows(rows);
     slot(
         rows, {.name = "Sheen", .help = "Colour of the soft rim of cloth; black is none"},
         [](auto& m) -> auto& { return m.surface.sheen_color; });

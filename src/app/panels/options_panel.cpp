@@ -109,6 +109,24 @@ void path_rows(PropertyRows<RenderSettings>& rows) {
     rows.toggle(
         "Light sampling", "Aims at the lights from every surface",
         [](auto& r) -> auto& { return r.path.light_sampling; });
+    if (rows.active().path.light_sampling)
+        rows.choice(
+            "Light choice", "Which light is aimed at: what matters most there, or each alike",
+            [](auto& r) -> auto& { return r.path.light_rule; });
+    const auto limit = [&](const char* name, const char* help, auto get) {
+        rows.number(
+            {.name = name, .help = help, .speed = 0.01, .low = 0, .high = 1e6, .relative = true},
+            get);
+    };
+    limit(
+        "Clamp direct", "Most radiance of light that was scattered once; 0 is any",
+        [](auto& r) -> auto& { return r.path.clamp_direct; });
+    limit(
+        "Clamp indirect", "Most radiance of light that was scattered more often; 0 is any",
+        [](auto& r) -> auto& { return r.path.clamp_indirect; });
+    rows.toggle(
+        "Terminator fix", "Keeps the triangles of smooth meshes out of their own shadow",
+        [](auto& r) -> auto& { return r.path.terminator_fix; });
 }
 
 const char* rounds_hint(int rounds) {
@@ -188,6 +206,35 @@ void draw_output(PanelContext& c) {
     ui::end_rows();
 }
 
+void exposure_rule_rows(PropertyRows<DisplaySettings>& rows) {
+    rows.choice(
+        "Exposure by", "What the brightness follows beside the stops above",
+        [](auto& d) -> auto& { return d.rule; });
+    if (rows.active().rule == ExposureRule::Ev)
+        rows.number(
+            {.name = "Value",
+             .help = "Exposure value at ISO 100: sun 15, overcast 12, room 6, night 0",
+             .speed = 0.02,
+             .low = -16,
+             .high = 24,
+             .unit = " EV"},
+            [](auto& d) -> auto& { return d.ev; });
+    if (rows.active().rule != ExposureRule::Photo) return;
+    const auto number = [&](const char* name, const char* help, double low, double high, auto get) {
+        rows.number(
+            {.name = name, .help = help, .speed = 0.01, .low = low, .high = high, .relative = true},
+            get);
+    };
+    number(
+        "f-number", "Focal length over the diameter of the lens", 0.1, 1000,
+        [](auto& d) -> auto& { return d.f_number; });
+    number(
+        "Shutter", "Seconds that the shutter is open", 1e-6, 1e6,
+        [](auto& d) -> auto& { return d.shutter; });
+    number(
+        "ISO", "Sensitivity of the film", 1, 1e7, [](auto& d) -> auto& { return d.iso; });
+}
+
 void draw_display(PanelContext& c) {
     const ScenePtr scene = c.document.snapshot();
     PropertyRows<DisplaySettings> rows(c, "the display", "display", {&scene->display},
@@ -201,6 +248,7 @@ void draw_display(PanelContext& c) {
          .high = 16,
          .unit = " EV"},
         [](auto& d) -> auto& { return d.exposure; });
+    exposure_rule_rows(rows);
     rows.choice(
         "Tone curve", "From radiance to what the screen shows",
         [](auto& d) -> auto& { return d.curve; });

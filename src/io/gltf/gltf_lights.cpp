@@ -45,6 +45,17 @@ Double3 direction(const DoubleMat4& world, int axis) {
     return unit;
 }
 
+// False if the camera has no film.
+bool set_projection(const tinygltf::Camera& source, Camera& camera) {
+    if (source.type == "orthographic") {
+        camera.projection = ProjectionKind::Orthographic;
+        camera.film_height = 2 * std::abs(source.orthographic.ymag);
+        return camera.film_height > 1e-9 && camera.film_height < 1e12;
+    }
+    camera.vertical_fov = source.perspective.yfov * kDegrees;
+    return camera.vertical_fov > 0 && camera.vertical_fov < 180;
+}
+
 }  // namespace
 
 void add_cameras(const GltfDocument& document, const std::vector<GltfNode>& nodes,
@@ -61,16 +72,14 @@ void add_cameras(const GltfDocument& document, const std::vector<GltfNode>& node
         const tinygltf::Camera& source = cameras[static_cast<size_t>(index)];
         const std::string name = names.add(
             !node.name.starts_with("node ") || source.name.empty() ? node.name : source.name);
-        const double fov = source.perspective.yfov * kDegrees;
-        if (source.type != "perspective" || !(fov > 0 && fov < 180)) {
+        Camera camera;
+        if (!set_projection(source, camera)) {
             content.unsupported.push_back(
-                fmt::format("Camera \"{}\" is not a perspective one and is left out.", name));
+                fmt::format("Camera \"{}\" shows nothing and is left out.", name));
             continue;
         }
-        Camera camera;
         camera.id = CameraId{static_cast<uint32_t>(content.cameras.size() + 1)};
         camera.name = name;
-        camera.vertical_fov = fov;
         camera.look_from = Double3(node.world[3]);
         const Double3 forward = -direction(node.world, 2);
         const double distance = glm::dot(middle - camera.look_from, forward);

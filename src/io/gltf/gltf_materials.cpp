@@ -165,7 +165,7 @@ private:
                 glm::clamp(vector_in(*e, "attenuationColor", Double3(1)), 0.0, 1.0);
         }
         if (const auto* e = extension("KHR_materials_dispersion"))
-            s.dispersion = std::max(number_in(*e, "dispersion", 0), 0.0);
+            s.dispersion = std::clamp(number_in(*e, "dispersion", 0), 0.0, 100.0);
     }
 
     void read_coat(const tinygltf::Value& e) {
@@ -201,11 +201,11 @@ private:
         PrincipledSurface& s = m_.surface;
         s.iridescence =
             number_of(e, "iridescenceFactor", 0, "iridescenceTexture", TextureChannel::Red);
-        s.iridescence_ior = std::max(number_in(e, "iridescenceIor", 1.3), 1.0);
+        s.iridescence_ior = std::clamp(number_in(e, "iridescenceIor", 1.3), 1.0, 10.0);
         s.iridescence_thickness_low =
-            std::max(number_in(e, "iridescenceThicknessMinimum", 100), 0.0);
+            std::clamp(number_in(e, "iridescenceThicknessMinimum", 100), 0.0, 1e5);
         s.iridescence_thickness =
-            number(std::max(number_in(e, "iridescenceThicknessMaximum", 400), 0.0),
+            number(std::clamp(number_in(e, "iridescenceThicknessMaximum", 400), 0.0, 1e5),
                    use_in(e, "iridescenceThicknessTexture"), TextureChannel::Green);
     }
 

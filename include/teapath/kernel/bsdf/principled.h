@@ -6,10 +6,12 @@
 #pragma once
 
 #include <teapath/core/color.h>
+#include <teapath/core/frame.h>
 #include <teapath/kernel/bsdf/albedo_table.h>
 #include <teapath/kernel/bsdf/dielectric.h>
 #include <teapath/kernel/bsdf/rough_dielectric.h>
 #include <teapath/kernel/bsdf/sheen.h>
+#include <teapath/kernel/bsdf/thin_film.h>
 
 namespace tp {
 
@@ -26,6 +28,10 @@ struct PrincipledParameters {
     Vec3 diffuse_transmission_color{1, 1, 1};
     Real coat = 0;
     Real coat_alpha = kLeastAlpha;
+    Vec3 coat_normal{0, 0, 1};  // unit, in the local frame
+    Real film = 0;              // how much of a thin film there is between base and coat
+    Real film_ior = Real(1.3);
+    Real film_thickness = 400;  // nanometres
     Vec3 sheen{0, 0, 0};
     Real sheen_alpha = Real(0.25);
     bool thin = true;
@@ -34,13 +40,14 @@ struct PrincipledParameters {
 
 /// The parameters with what follows from them for one wo.
 struct PrincipledLobes {
-    PrincipledParameters p;
-    Real mean_alpha;     // of both directions
-    Vec3 dielectric_ms;  // reflectance of what facets scatter on, of the dielectric
-    Vec3 multiple;       // the same, with the metal
-    Real lost_o;         // 1 - E(wo): what one scattering loses of white
-    Real lost_average;   // its average
-    Real under_o;        // what the dielectric's reflection leaves below, seen from wo
+    PrincipledParameters p;  // f0 with the film's colours
+    Vec3 metal_f0;           // of the metal, seen straight on
+    Real mean_alpha;         // of both directions
+    Vec3 dielectric_ms;      // reflectance of what facets scatter on, of the dielectric
+    Vec3 multiple;           // the same, with the metal
+    Real lost_o;             // 1 - E(wo): what one scattering loses of white
+    Real lost_average;       // its average
+    Real under_o;            // what the dielectric's reflection leaves below, seen from wo
     Real under_average;
     Real below_coat;      // what sheen and coat leave to the base
     Real below_sheen;     // what sheen leaves to the coat
@@ -90,7 +97,7 @@ TP_HD void choose_lobes(PrincipledLobes& l, Vec2 albedo, Real cos_o) {
     const PrincipledParameters& p = l.p;
     const Vec3 white{1, 1, 1};
     const Vec3 dielectric = p.f0 * albedo.x + white * (p.f90 * albedo.y);
-    const Vec3 metal = p.base * albedo.x + white * albedo.y;
+    const Vec3 metal = l.metal_f0 * albedo.x + white * albedo.y;
     // Rough facets let light through also where a smooth interface would reflect all of it.
     const Real smooth =
         1 - min(luminance(dielectric_reflectance(p, transmitting_weight(p, cos_o))), Real(1));
@@ -112,11 +119,33 @@ TP_HD void choose_lobes(PrincipledLobes& l, Vec2 albedo, Real cos_o) {
     l.transmission *= scale;
 }
 
-/// Prepares the lobes for a direction wo with cosine `cos_o` > 0.
+/// Gives dielectric and metal the colours of the film as it is seen from wo. They go into what the
+/// lobes reflect straight on, so that all that is made from it, and the energy, follow; a facet is
+/// coloured as the whole surface is, which for smooth ones is exact.
+TP_HD void add_film(PrincipledLobes& l, Real cos_o) {
+    PrincipledParameters& p = l.p;
+    const Vec3 on_dielectric =
+        straight_on(film_reflectance(cos_o, p.film_ior, p.film_thickness, p.f0), cos_o);
+    const Vec3 on_metal =
+        straight_on(film_reflectance(cos_o, p.film_ior, p.film_thickness, p.base), cos_o);
+    p.f0 = lerp(p.f0, on_dielectric, p.film);
+    l.metal_f0 = lerp(p.base, on_metal, p.film);
+}
+
+/// A direction of the local frame in that of the coat.
+TP_HD Vec3 to_coat(const PrincipledParameters& p, Vec3 w) {
+    if (p.coat_normal.z >= 1) return w;
+    return frame_around(p.coat_normal).to_local(w);
+}
+
+/// Prepares the lobes for a direction wo above.
 TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
-                                      const AlbedoTables& tables, Real cos_o) {
+                                      const AlbedoTables& tables, Vec3 wo) {
+    const Real cos_o = wo.z;
     PrincipledLobes l;
     l.p = parameters;
+    l.metal_f0 = parameters.base;
+    if (parameters.film > 0) add_film(l, cos_o);
     const PrincipledParameters& p = l.p;
     l.mean_alpha = tp::sqrt(p.alpha.x * p.alpha.y);
     const Vec2 albedo = ggx_albedo(tables, cos_o, l.mean_alpha);
@@ -126,7 +155,7 @@ TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
     l.lost_average = max(1 - average_sum, Real(1e-6));
     l.dielectric_ms = p.compensation ? multiple_reflectance(p.f0, p.f90, average_sum) : Vec3(0);
     l.multiple = lerp(l.dielectric_ms * (1 - p.transmission),
-                      multiple_reflectance(p.base, 1, average_sum), p.metallic);
+                      multiple_reflectance(l.metal_f0, 1, average_sum), p.metallic);
     l.under_o = left_below(l, albedo);
     l.under_average = max(left_below(l, average), Real(1e-6));
 
@@ -135,9 +164,10 @@ TP_HD PrincipledLobes make_principled(const PrincipledParameters& parameters,
     if (!is_black(p.sheen)) sheen_o = min(sheen_albedo(tables, cos_o, p.sheen_alpha), Real(1));
     l.below_sheen = 1 - max_component(p.sheen) * sheen_o;
     if (p.coat > 0) {
-        const Vec2 coat = ggx_albedo(tables, cos_o, p.coat_alpha);
+        const Real cos_coat = max(to_coat(p, wo).z, Real(1e-4));
+        const Vec2 coat = ggx_albedo(tables, cos_coat, p.coat_alpha);
         coat_o = p.coat * (p.compensation ? kCoatF0 * coat.x + coat.y
-                                          : kCoatF0 + (1 - kCoatF0) * schlick_weight(cos_o));
+                                          : kCoatF0 + (1 - kCoatF0) * schlick_weight(cos_coat));
     }
     l.below_coat = l.below_sheen * (1 - coat_o);
     l.sheen = 1 - l.below_sheen;
@@ -164,7 +194,7 @@ TP_HD Vec3 specular_color(const PrincipledLobes& l, Real cos_h) {
             lerp(color, dielectric_reflectance(p, transmitting_weight(p, cos_h)) * l.interface_gain,
                  p.transmission);
     if (p.metallic > 0)
-        color = lerp(color, p.base + (Vec3(1, 1, 1) - p.base) * schlick, p.metallic);
+        color = lerp(color, l.metal_f0 + (Vec3(1, 1, 1) - l.metal_f0) * schlick, p.metallic);
     return color;
 }
 
@@ -174,6 +204,28 @@ TP_HD Vec3 transmission_color(const PrincipledLobes& l, Real cos_h) {
     const Vec3 reflected = dielectric_reflectance(p, transmitting_weight(p, cos_h));
     const Real left = max(1 - max_component(reflected), Real(0));
     return p.base * (left * l.interface_gain * p.transmission * (1 - p.metallic));
+}
+
+/// What the coat reflects of light: f |cos(wi)|.
+TP_HD Real coat_reflection(const PrincipledParameters& p, Vec3 wo, Vec3 wi) {
+    const Vec3 o = to_coat(p, wo), i = to_coat(p, wi);
+    if (!(o.z > 0 && i.z > 0)) return 0;
+    const Vec3 h = normalize(o + i);
+    const Real fresnel = kCoatF0 + (1 - kCoatF0) * schlick_weight(dot(o, h));
+    return fresnel * ggx_reflection({p.coat_alpha, p.coat_alpha}, o, i, h, true);
+}
+
+TP_HD Real coat_pdf(const PrincipledParameters& p, Vec3 wo, Vec3 wi) {
+    const Vec3 o = to_coat(p, wo), i = to_coat(p, wi);
+    if (!(o.z > 0 && i.z > 0)) return 0;
+    return ggx_reflection_pdf({p.coat_alpha, p.coat_alpha}, o, normalize(o + i));
+}
+
+TP_HD Vec3 sample_coat(const PrincipledParameters& p, Vec3 wo, Vec2 u) {
+    const Vec3 o = to_coat(p, wo);
+    if (!(o.z > 0)) return {0, 0, 0};
+    const Vec3 wi = reflect(o, sample_ggx_normal({p.coat_alpha, p.coat_alpha}, o, u));
+    return p.coat_normal.z >= 1 ? wi : frame_around(p.coat_normal).to_world(wi);
 }
 
 /// Reflection into wi, above: f |cos(wi)|.
@@ -200,9 +252,7 @@ TP_HD Vec3 principled_reflection(const PrincipledLobes& l, const AlbedoTables& t
     // The layers above.
     sum *= l.below_coat;
     if (p.coat > 0) {
-        const GgxAlpha alpha{p.coat_alpha, p.coat_alpha};
-        const Real fresnel = kCoatF0 + (1 - kCoatF0) * schlick_weight(cos_h);
-        sum += Vec3(p.coat * l.below_sheen * fresnel * ggx_reflection(alpha, wo, wi, h, true));
+        sum += Vec3(p.coat * l.below_sheen * coat_reflection(p, wo, wi));
     }
     if (!is_black(p.sheen)) sum += p.sheen * sheen_reflection(p.sheen_alpha, wo, wi);
     return sum;
@@ -246,7 +296,7 @@ TP_HD Real principled_pdf(const PrincipledLobes& l, Vec3 wo, Vec3 wi) {
         const Vec3 h = normalize(wo + wi);
         Real pdf = (l.diffuse + l.sheen) * kInvPi * wi.z;
         pdf += l.specular * ggx_reflection_pdf(p.alpha, wo, h);
-        if (l.coat > 0) pdf += l.coat * ggx_reflection_pdf({p.coat_alpha, p.coat_alpha}, wo, h);
+        if (l.coat > 0) pdf += l.coat * coat_pdf(p, wo, wi);
         return pdf;
     }
     Real pdf = l.diffuse_transmission * kInvPi * -wi.z;
@@ -278,7 +328,7 @@ TP_HD bool principled_direction(const PrincipledLobes& l, Vec3 wo, Vec2 u, Real 
     }
     choice -= l.coat;
     if (choice < 0) {
-        wi = reflect(wo, sample_ggx_normal({p.coat_alpha, p.coat_alpha}, wo, u));
+        wi = sample_coat(p, wo, u);
         return wi.z > 0;
     }
     wi = sample_cosine_hemisphere(u);

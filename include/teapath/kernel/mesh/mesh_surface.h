@@ -55,6 +55,26 @@ TP_HD Vec3 shading_normal_at(const MeshView& mesh, const InstanceRecord& instanc
     return length_squared(n) > Real(1e-12) ? world_normal(instance, n) : point.normal;
 }
 
+/// What a point that lies below the tangent planes of a triangle's corners is moved by, for one
+/// corner; `normal` is on the side that the surface is seen from.
+TP_HD Vec3 lift_of_corner(Vec3 position, Vec3 corner, Vec3 normal) {
+    return normal * -min(dot(position - corner, normal), Real(0));
+}
+
+/// The point of a triangle, moved to the surface that its normals describe (Hanika, "Hacking the
+/// Shadow Terminator", Ray Tracing Gems II, 2021); `normal` is the one for shading.
+TP_HD Vec3 lifted_position(const MeshView& mesh, const InstanceRecord& instance,
+                           const MeshTriangle& t, Barycentric w, Vec3 position, Vec3 normal) {
+    const auto lift = [&](const MeshCorner& corner) {
+        const Vec3 n = mesh.attributes.normals[corner.vertex];
+        if (!(length_squared(n) > Real(1e-12))) return Vec3(0, 0, 0);
+        const Vec3 world = world_normal(instance, n);
+        return lift_of_corner(position, instance.world_from_object.point(corner.position),
+                              dot(world, normal) < 0 ? -world : world);
+    };
+    return position + lift(t.a) * w.a + lift(t.b) * w.b + lift(t.c) * w.c;
+}
+
 /// Texture coordinates of set 0 or 1; zero where the mesh has none.
 TP_HD Vec2 mesh_uv(const MeshView& mesh, const MeshTriangle& t, Vec2 barycentric, int set) {
     const Vec2* uvs = mesh.attributes.uvs[set];

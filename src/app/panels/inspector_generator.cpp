@@ -1,68 +1,10 @@
-// Inspector of the background and of generators.
+// Inspector of generators.
 #include "inspector.h"
-
-#include <teapath/editor/material_presets.h>
-#include <teapath/scene/enum_tables.h>
 
 #include <icons_font_awesome_6.h>
 
 namespace tp {
 namespace {
-
-void sky_row(PropertyRows<Background>& rows) {
-    ui::begin_row("Preset", "A sky to start from");
-    if (!ImGui::BeginCombo("##sky", "Choose\xe2\x80\xa6")) return;
-    for (const SkyPreset& preset : sky_presets())
-        if (ImGui::Selectable(preset.name))
-            rows.apply(fmt::format("Preset {}", preset.name).c_str(), false, [&](Background& b) {
-                const ImageFile image = b.file;
-                b = preset.background;
-                b.file = image;  // is kept for a way back
-            });
-    ImGui::EndCombo();
-}
-
-void background_rows(PropertyRows<Background>& rows) {
-    rows.choice(
-        "Kind", "What is seen where nothing is hit", [](auto& b) -> auto& { return b.kind; });
-    sky_row(rows);
-    switch (rows.active().kind) {
-        case BackgroundKind::Gradient:
-            rows.color(
-                "Top", "Radiance straight up", [](auto& b) -> auto& { return b.top; });
-            rows.color(
-                "Bottom", "Radiance straight down", [](auto& b) -> auto& { return b.bottom; });
-            break;
-        case BackgroundKind::Constant:
-            rows.color(
-                "Colour", "Radiance from everywhere", [](auto& b) -> auto& { return b.color; });
-            break;
-        case BackgroundKind::Image:
-            row_image(rows.context(), "File", "An image of all directions, twice as wide as high",
-                      rows.active().file, background_item());
-            rows.choice(
-                "Values are", "Automatic: sRGB for 8 and 16 bits, linear for float",
-                [](auto& b) -> auto& { return b.color_space; });
-            rows.number(
-                {.name = "Rotation",
-                 .help = "About the vertical axis",
-                 .speed = 0.5,
-                 .low = -360,
-                 .high = 360,
-                 .decimals = 1,
-                 .unit = "\xc2\xb0"},
-                [](auto& b) -> auto& { return b.rotation; });
-            break;
-    }
-    rows.number(
-        {.name = "Strength",
-         .help = "Multiplies the radiance",
-         .speed = 0.005,
-         .low = 0,
-         .high = 1e6,
-         .relative = true},
-        [](auto& b) -> auto& { return b.strength; });
-}
 
 PropertyRows<Generator> property_rows(PanelContext& c, const std::vector<SceneItem>& items) {
     std::vector<const Generator*> things;
@@ -174,16 +116,6 @@ void clear_rows(PropertyRows<Generator>& rows) {
 }
 
 }  // namespace
-
-void background_inspector(PanelContext& c) {
-    inspector_header(c, {background_item()}, ICON_FA_CLOUD_SUN, "Light from outside of the scene");
-    const ScenePtr scene = c.document.snapshot();
-    PropertyRows<Background> rows(c, "background", "background", {&scene->background},
-                                  [](Scene& s, size_t) { return &s.background; });
-    if (!ui::begin_rows("background")) return;
-    background_rows(rows);
-    ui::end_rows();
-}
 
 void generator_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
     const ScenePtr scene = c.document.snapshot();
