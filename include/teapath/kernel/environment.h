@@ -36,15 +36,17 @@ TP_HD Real cell_pdf(const EnvironmentView& view, uint32_t column, uint32_t row, 
 }
 
 /// A direction of the image by the light that comes from it.
-TP_HD Vec3 sample_image(const EnvironmentView& view, const BackgroundRecord& background, Vec2 u) {
+TP_HD EnvironmentSample sample_image(const EnvironmentView& view,
+                                     const BackgroundRecord& background, Vec2 u) {
     const uint32_t row = pick_cell(view.rows.data, view.height, u.y);
     const uint32_t column = pick_cell(view.cells.data + row * view.width, view.width, u.x);
     const Real phi = (static_cast<Real>(column) + u.x) / static_cast<Real>(view.width) * 2 * kPi;
     const Real theta = (static_cast<Real>(row) + u.y) / static_cast<Real>(view.height) * kPi;
     const Real sine = std::sin(theta);
     const Vec3 turned{sine * std::sin(phi), std::cos(theta), -sine * std::cos(phi)};
-    return {turned.x * background.cos_rotation + turned.z * background.sin_rotation, turned.y,
-            turned.z * background.cos_rotation - turned.x * background.sin_rotation};
+    return {{turned.x * background.cos_rotation + turned.z * background.sin_rotation, turned.y,
+             turned.z * background.cos_rotation - turned.x * background.sin_rotation},
+            cell_pdf(view, column, row, sine)};
 }
 
 /// Density over solid angle of sample_image.
@@ -86,8 +88,11 @@ TP_HD EnvironmentSample sample_environment(const EnvironmentView& view,
         return {d, environment_pdf(view, background, d)};
     }
     u.x = min((u.x - share) / (1 - share), kOneMinusEpsilon);
-    const Vec3 d = sample_image(view, background, u);
-    return {d, environment_pdf(view, background, d)};
+    EnvironmentSample sample = sample_image(view, background, u);
+    sample.pdf *= 1 - share;
+    if (share > 0 && meets_sun(background, sample.direction))
+        sample.pdf += share / (kPi * background.sun_chord2);
+    return sample;
 }
 
 }  // namespace tp

@@ -34,10 +34,10 @@ struct PathSettings {
 struct DisplaySettings {
     float exposure = 0;  // stops; radiance is multiplied by 2^exposure, after the rule
     ExposureRule rule = ExposureRule::Stops;
-    float ev = 10;          // Ev: exposure value at ISO 100
-    float f_number = 8;     // Photo
-    float shutter = 0.01f;  // Photo: seconds
-    float iso = 100;        // Photo
+    float ev = 10;               // Ev: exposure value at ISO 100
+    float f_number = 8;          // Photo
+    float shutter = 0.0078125f;  // Photo: seconds
+    float iso = 100;             // Photo
     ToneCurve curve = ToneCurve::Srgb;
 
     friend bool operator==(const DisplaySettings&, const DisplaySettings&) = default;

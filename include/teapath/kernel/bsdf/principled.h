@@ -225,6 +225,7 @@ TP_HD Vec3 sample_coat(const PrincipledParameters& p, Vec3 wo, Vec2 u) {
     const Vec3 o = to_coat(p, wo);
     if (!(o.z > 0)) return {0, 0, 0};
     const Vec3 wi = reflect(o, sample_ggx_normal({p.coat_alpha, p.coat_alpha}, o, u));
+    if (!(wi.z > 0)) return {0, 0, 0};
     return p.coat_normal.z >= 1 ? wi : frame_around(p.coat_normal).to_world(wi);
 }
 
