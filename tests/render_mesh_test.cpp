@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstring>
 
 using namespace tp;
@@ -160,10 +161,12 @@ TEST_CASE("meshes: the terminator of a smooth one is that of the surface it stan
         return render(maker.scene, 64);
     };
     const FilmImage exact = ball(false, false);
+    const float brightest = *std::max_element(exact.radiance.begin(), exact.radiance.end());
     const auto error = [&](const FilmImage& film) {
         double sum = 0;
         for (size_t i = 0; i < film.radiance.size(); ++i)
-            sum += std::abs(static_cast<double>(film.radiance[i] - exact.radiance[i]));
+            if (exact.radiance[i] < 0.25f * brightest)
+                sum += std::abs(static_cast<double>(film.radiance[i] - exact.radiance[i]));
         return sum;
     };
     const double plain = error(ball(true, false)), fixed = error(ball(true, true));

@@ -13,6 +13,9 @@ struct LightChoice {
     Real probability = 0;
 };
 
+/// How much the most favourable side of a cluster counts beside its middle.
+inline constexpr Real kFavourableShare = Real(0.1);
+
 /// cos(max(a - b, 0)) of two angles from 0 to pi by their sines and cosines.
 TP_HD Real cosine_of_rest(Real sin_a, Real cos_a, Real sin_b, Real cos_b) {
     return cos_a >= cos_b ? 1 : cos_a * cos_b + sin_a * sin_b;
@@ -41,7 +44,10 @@ TP_HD Real light_importance(const LightNode& node, Vec3 position, Vec3 normal) {
     const Real cos_in = min(abs(dot(normal, towards)), Real(1));
     const Real arriving =
         cosine_of_rest(safe_sqrt(1 - cos_in * cos_in), cos_in, sin_ball, cos_ball);
-    return node.power * leaving * arriving / distance2;
+    // The middle of the ball tells more than its most favourable side, which keeps what is lit by
+    // no more than that side from being forgotten.
+    const Real typical = lerp(cos_in, arriving, kFavourableShare);
+    return node.power * leaving * typical / distance2;
 }
 
 /// The share of the choice that a node's first child has; negative if neither child matters.
