@@ -57,8 +57,8 @@ void draw_layers(PanelContext& c, const ViewportFrame& frame) {
     layers.has_ground_grid = c.ui.preferences.ground_grid;
     layers.scale = c.window.scale();
     layers.camera = active_camera(c.document.scene());
-    for (const Object* object : selected_objects(c.document.scene(), c.document.selection))
-        if (object->visible) layers.selection.push_back(outline_part(*object));
+    layers.selection = outline_parts(selected_objects(c.document.scene(), c.document.selection),
+                                     c.layers.most_outline_triangles());
     c.layers.add_to(list, std::move(layers));
 }
 
