@@ -133,7 +133,7 @@ ViewportLayers::ViewportLayers() : gl_(std::make_unique<Gl>()) {
     const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     const bool is_software =
         renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
-    most_triangles_ = is_software ? 100'000 : 1'000'000;
+    most_triangles_ = is_software ? 250'000 : 1'000'000;
 }
 ViewportLayers::~ViewportLayers() = default;
 
