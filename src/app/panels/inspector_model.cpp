@@ -84,8 +84,8 @@ void transform_rows(PanelContext& c, const Model& model) {
                                  .is_axis = true},
                                 t.scale, standard.scale);
     if (!moved && !turned && !scaled) return;
-    for (int axis = 0; axis < 3; ++axis)
-        if (t.scale[axis] == 0) return say_refusal(c, "a scale is 0");
+    if (const std::string why = refusal_of_place(c.document.scene(), model.id, t); !why.empty())
+        return say_refusal(c, why);
     const char* what = moved ? "Position" : turned ? "Rotation" : "Scale";
     c.document.edit(fmt::format("{} of {}", what, model.name),
                     fmt::format("model {} {}", model.id.value, what),
