@@ -231,7 +231,7 @@ void draw_metrics(PanelContext& c) {
         const ImVec2 space = ImGui::GetContentRegionAvail();
         const float line = ImGui::GetFontSize();
         // Wide and low: the graph stands beside the table, else above it.
-        const bool is_wide = space.x > 28 * line;
+        const bool is_wide = space.x > 40 * line || (space.x > 28 * line && space.y < 14 * line);
         const float share = space.x > 48 * line ? 0.5f : 0.42f;  // of the graph beside the table
         const float height = is_wide ? std::max(4 * line, space.y - 2 * line - ui::px(4))
                                      : std::clamp(space.y * 0.35f, 5 * line, 14 * line);
