@@ -6,7 +6,7 @@ flat in uint v_form;
 flat in uint v_id;
 out uint id;
 
-const uint kBox = 0u, kBall = 1u, kRectangle = 2u, kDisk = 3u;  // as enum OutlineForm
+const uint kBall = 1u, kDisk = 3u, kTriangle = 4u;  // as enum OutlineForm
 
 void main() {
     float depth = 1 / gl_FragCoord.w;  // along the view axis; grows in proportion along the pixel's ray
@@ -23,7 +23,7 @@ void main() {
         depth *= t;
     } else if (v_form == kDisk) {
         if (dot(v_unit.xy, v_unit.xy) > 1) discard;
-    } else if (v_form > kDisk) {  // a triangle: the lower left half of the square
+    } else if (v_form == kTriangle) {  // a triangle: the lower left half of the square
         if (v_unit.x + v_unit.y > 0) discard;
     }
     id = v_id;

@@ -138,3 +138,28 @@ TEST_CASE("clip space of the outline is that of the picture's rays") {
         CHECK(clip.w == doctest::Approx(t * glm::dot(ray.direction, axes_of(camera).forward)));
     }
 }
+
+TEST_CASE(
+    "meshes are their own outlines, as many as there are triangles for; the others are boxes") {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 3, 4}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 1}};
+    Object object;
+    object.shape = MeshShape{{"a.ply", share(mesh)}, {}};
+    object.transform.translation = {1, 2, 3};
+    Object hidden = object, ball;
+    hidden.visible = false;
+    ball.shape = SphereShape{};
+    const std::vector<const Object*> objects = {&object, &hidden, &ball, &object, &object};
+    const std::vector<OutlinePart> parts = outline_parts(objects, 5);
+    REQUIRE(parts.size() == 4);
+    CHECK(parts[0].form == OutlineForm::Mesh);
+    CHECK(parts[1].form == OutlineForm::Ball);
+    CHECK(parts[2].form == OutlineForm::Mesh);
+    CHECK(parts[3].form == OutlineForm::Box);
+    CHECK(parts[0].mesh == std::get<MeshShape>(object.shape).file.mesh);
+    CHECK(Double3(parts[0].world_from_unit * Double4(0, 3, 4, 1)) == Double3(1, 5, 7));
+    // The box has the mesh's corners at those of its cube.
+    CHECK(Double3(parts[3].world_from_unit * Double4(-1, -1, -1, 1)) == Double3(1, 2, 3));
+    CHECK(Double3(parts[3].world_from_unit * Double4(1, 1, 1, 1)) == Double3(3, 5, 7));
+}

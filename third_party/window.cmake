@@ -33,6 +33,10 @@ target_include_directories(teapath_imgui SYSTEM PUBLIC
 target_compile_definitions(teapath_imgui PUBLIC "IMPLOT_CUSTOM_NUMERIC_TYPES=(float)(double)(int)")
 target_compile_options(teapath_imgui PRIVATE -w)
 target_link_libraries(teapath_imgui PUBLIC glfw ${CMAKE_DL_LIBS})
+if(TEAPATH_SANITIZE MATCHES address)
+    # What panels do to ImGui's memory shows in ImGui. Its casts between classes are its own.
+    target_compile_options(teapath_imgui PRIVATE -fsanitize=address -fno-omit-frame-pointer)
+endif()
 if(TEAPATH_TESTS)
     # Hooks of the test engine in the one Dear ImGui, so that the tests run the very objects of the program;
     # src/app/no_test_engine.cpp is what the hooks call there.

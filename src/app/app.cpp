@@ -71,9 +71,16 @@ SessionOptions session_options(const AppOptions& options) {
     return session;
 }
 
+void start_log_file() {
+    const std::string problem = log_to_file((state_folder() / "teapath.log").string());
+    if (!problem.empty()) log_warning("there is no log file: {}", problem);
+}
+
 // The document to begin with; its render starts before there is a window. A scene that cannot be
-// read is a message. Models take longer: they are opened by a job of the window.
+// read is a message, in the log file too. Models take longer: they are opened by a job of the
+// window.
 Document first_document(const AppOptions& options, RenderWorker& worker, UiState& ui) {
+    start_log_file();
     Document document;
     try {
         if (!options.scene.empty() && !can_read_model(options.scene)) document.open(options.scene);
@@ -100,9 +107,6 @@ App::App(const AppOptions& options)
     ui.session = ui.used_session = session_options(options);
     if (options.width <= 0 && options.height <= 0) window.put(ui.preferences.window);
     if (!document.file().empty()) ui.preferences.remember_file(document.file());
-    if (const std::string problem = log_to_file((state_folder() / "teapath.log").string());
-        !problem.empty())
-        log_warning("there is no log file: {}", problem);
     const char* autosave_seconds = std::getenv("TEAPATH_AUTOSAVE_SECONDS");
     ui.autosave.start(state_folder() / "autosave",
                       autosave_seconds ? std::atof(autosave_seconds) : 0);

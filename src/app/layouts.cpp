@@ -39,19 +39,32 @@ void hide_tab_bar(ImGuiID node) {
         n->LocalFlags |= ImGuiDockNodeFlags_HiddenTabBar;
 }
 
-// Options left, tree and inspector right, console and metrics below, the picture between them.
+// Where there is no room for columns: the picture, and below it a tab for each panel.
+void build_small(ImGuiID middle) {
+    const ImGuiID bottom =
+        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Down, 0.5f, nullptr, &middle);
+    ImGui::DockBuilderDockWindow("Viewport", middle);
+    for (const Panel& panel : panels())
+        if (std::string_view(panel.title) != "Viewport")
+            ImGui::DockBuilderDockWindow(panel.title, bottom);
+    hide_tab_bar(middle);
+}
+
+// Tree and inspector right, as high as the window; options left, console and metrics below, the
+// picture between them.
 void build_edit(ImGuiID middle, const ImVec2& size) {
     const float font = ImGui::GetFontSize();
+    if (size.x < 48 * font || size.y < 24 * font) return build_small(middle);
     const float side = std::clamp(18 * font / size.x, 0.12f, 0.23f);
-    const float low = std::clamp(12 * font / size.y, 0.12f, 0.28f);
+    const float low = std::clamp(11 * font / size.y, 0.12f, 0.28f);
+    ImGuiID right = ImGui::DockBuilderSplitNode(middle, ImGuiDir_Right, side, nullptr, &middle);
     ImGuiID bottom = ImGui::DockBuilderSplitNode(middle, ImGuiDir_Down, low, nullptr, &middle);
-    const ImGuiID left = ImGui::DockBuilderSplitNode(middle, ImGuiDir_Left, side, nullptr, &middle);
-    ImGuiID right =
-        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Right, side / (1 - side), nullptr, &middle);
+    const ImGuiID left =
+        ImGui::DockBuilderSplitNode(middle, ImGuiDir_Left, side / (1 - side), nullptr, &middle);
     // Where there is no room for both, the inspector is a tab beside the tree.
     ImGuiID inspector = right;
-    if (size.y * (1 - low) > 28 * font)
-        inspector = ImGui::DockBuilderSplitNode(right, ImGuiDir_Down, 0.58f, nullptr, &right);
+    if (size.y > 36 * font)
+        inspector = ImGui::DockBuilderSplitNode(right, ImGuiDir_Down, 0.64f, nullptr, &right);
     const ImGuiID metrics =
         ImGui::DockBuilderSplitNode(bottom, ImGuiDir_Right, 0.5f, nullptr, &bottom);
     ImGui::DockBuilderDockWindow("Viewport", middle);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace tp::ui {
 namespace {
@@ -156,10 +157,17 @@ void empty_state(const char* icon, const char* text) {
     ImGui::SetCursorPos({left + (space.x - ImGui::CalcTextSize(icon).x) / 2, top});
     ImGui::TextUnformatted(icon);
     ImGui::PopFont();
-    ImGui::SetCursorPosX(left + (space.x - size.x) / 2);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleVarY(ImGuiStyleVar_ItemSpacing, 0);
+    for (const char *at = text, *end = text + std::strlen(text); at < end;) {
+        const char* const rest = ImGui::GetFont()->CalcWordWrapPosition(line, at, end, wrap);
+        const char* const stop = std::max(rest, at + 1);  // a word that is too long
+        ImGui::SetCursorPosX(left + (space.x - ImGui::CalcTextSize(at, stop).x) / 2);
+        ImGui::TextUnformatted(at, stop);
+        at = stop;
+        while (at < end && *at == ' ')
+            ++at;
+    }
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }
 

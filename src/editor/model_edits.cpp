@@ -1,6 +1,7 @@
 #include "scene_things.h"
 
 #include <teapath/editor/model_edits.h>
+#include <teapath/editor/refusal.h>
 #include <teapath/scene/texture_uses.h>
 
 #include <unordered_map>
@@ -71,6 +72,17 @@ void place_model(Scene& scene, ModelId id, const Transform& transform) {
         else
             move_object(object, change);
     }
+}
+
+std::string refusal_of_place(const Scene& scene, ModelId id, const Transform& transform) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (transform.scale[axis] == 0) return "a scale is 0";
+    Scene placed = scene;
+    place_model(placed, id, transform);
+    std::vector<Object> objects;
+    for (const Object& object : placed.objects)
+        if (object.part.model == id) objects.push_back(object);
+    return refusal(objects);
 }
 
 void delete_model(Scene& scene, ModelId id) {

@@ -75,6 +75,25 @@ void show_instead(WindowTest& t, int width, int height, std::vector<uint8_t> rgb
 
 constexpr Color kAmberLine = {232, 163, 61};
 
+// A body of eight triangles that is far from filling its box.
+Object octahedron(uint32_t id) {
+    Mesh mesh;
+    mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (uint32_t x : {0u, 1u})
+        for (uint32_t y : {2u, 3u})
+            for (uint32_t z : {4u, 5u})
+                mesh.triangles.push_back({x, y, z});
+    Object object;
+    object.id = {id};
+    object.name = "octahedron";
+    object.shape = MeshShape{{"octahedron.ply", share(mesh)}, {}};
+    object.material = {2};
+    object.transform.translation = {-0.4, 1.1, 0.6};
+    object.transform.rotation = {20, 10, 40};
+    object.transform.scale = Double3(0.35);
+    return object;
+}
+
 }  // namespace
 
 TEST_CASE("layers: T5, T6: each corner of the picture has its colour, nearest and smoothed") {
@@ -139,8 +158,9 @@ TEST_CASE("layers: outlines are exactly where rays meet another object than besi
     disk.transform = {};
     scene.objects.edit().push_back(disk);
     WindowTest t(scene);
+    t.app->document.edit("Add", "", [](Scene& s) { s.objects.edit().push_back(octahedron(7)); });
     settle(t);
-    for (const Object& object : scene.objects)
+    for (const Object& object : t.scene().objects)
         t.app->document.select(object.id, true);
     t.app->ui.viewport.tool = Tool::Select;
     const Screen screen(t);

@@ -161,6 +161,35 @@ TEST_CASE("panels: a name is typed in place after F2 and after a double click") 
     });
 }
 
+TEST_CASE("panels: a camera's menu makes it the default of the file, and gives it the view") {
+    Scene scene = small_scene();
+    Camera other = scene.cameras.front();
+    other.id = {2};
+    other.name = "other";
+    other.look_from = {3, 2, 1};
+    other.vertical_fov = 20;
+    scene.cameras.push_back(other);
+    WindowTest t(scene, 1280, 1600);
+    t.run([&](ImGuiTestContext* ctx) {
+        const auto choose = [&](CameraId camera, const char* item) {
+            ctx->ItemClick(row_of(ctx, item_of(camera)), ImGuiMouseButton_Right);
+            ctx->ItemClick((std::string("//$FOCUSED/") + item).c_str());
+            ctx->Yield(2);
+        };
+        choose({2}, "Give it this view");
+        const Camera placed = *find(t.scene(), CameraId{2});
+        CHECK(placed.look_from == t.camera().look_from);
+        CHECK(placed.vertical_fov == 20);
+        CHECK(t.camera().id == CameraId{1});
+        choose({2}, "Set as default");
+        CHECK(t.scene().active_camera == CameraId{2});
+        t.app->document.undo();
+        t.app->document.undo();
+        CHECK(find(t.scene(), CameraId{2})->look_from == Double3(3, 2, 1));
+        CHECK(t.camera().id == CameraId{1});
+    });
+}
+
 TEST_CASE("panels: a material is dragged onto an object in the tree") {
     WindowTest t(small_scene(), 1280, 1600);  // all rows are in sight
     t.run([&](ImGuiTestContext* ctx) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ TEST_CASE("start: a scene that cannot be read is a message beside a new scene") 
         }));
         for (const std::string& recent : app.ui.preferences.recent_files)
             CHECK(recent != file.string());
+        std::ifstream log_file(state_folder() / "teapath.log");
+        const std::string written((std::istreambuf_iterator<char>(log_file)), {});
+        CHECK(written.find("error: " + title + ": ") != std::string::npos);
     }
 }
 

@@ -28,6 +28,13 @@ struct WindowTestOptions {
     std::filesystem::path screenshots;  // empty: none
     int steps = 0;                      // of the random driver; 0 = its own number
     uint64_t seed = 0;
+    // Of the pictures for the guide.
+    int width = 1280, height = 720;  // of the window
+    float scale = 1;                 // of the interface
+    bool is_light = false;           // theme
+    int samples = 4;                 // of a pixel
+    std::filesystem::path model;     // empty: none
+    std::string pictures;            // names, by commas; empty: all
 };
 WindowTestOptions& window_test_options();
 

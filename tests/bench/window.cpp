@@ -1,6 +1,7 @@
 // Frame times of the window: bench_window [SCENE] [SECONDS] [auto|cuda|host] [soak]. Opens it,
 // plays each situation for some seconds, and prints the median and the 99th percentile of the time
-// that a frame takes of the interface's thread, and what the picture's way to the screen takes.
+// that a frame takes of the interface's thread: all of it, and without the driver's drawing and
+// swap; and what the picture's way to the screen takes.
 // With `soak` it plays all of them in turn, with other sizes and other scenes between, for that
 // many seconds, and prints what memory is held.
 #include "application.h"
@@ -42,7 +43,7 @@ void rest_of_frame(Clock::time_point begin) {
 
 // Plays frames at sixty a second at most; `act` changes something before each.
 void play(tp::App& app, const char* name, double seconds, const std::function<void(int)>& act) {
-    std::vector<double> frame, interval, show;
+    std::vector<double> frame, interface, interval, show;
     const auto start = Clock::now();
     auto last = start;
     for (int i = 0; ms_since(start) < seconds * 1e3; ++i) {
@@ -51,6 +52,8 @@ void play(tp::App& app, const char* name, double seconds, const std::function<vo
         app.draw_frame(0);
         app.window.show();
         frame.push_back(ms_since(begin));
+        const tp::MetricsState& m = app.ui.metrics;
+        interface.push_back(static_cast<double>(m.interface_ms[(m.frames - 1) % m.kFrames]));
         show.push_back(app.texture.show_ms());
         rest_of_frame(begin);
         interval.push_back(ms_since(last));
@@ -58,11 +61,13 @@ void play(tp::App& app, const char* name, double seconds, const std::function<vo
     }
     const tp::RenderStatus& s = app.status;
     fmt::print(
-        "{:16} frame {:6.2f} ms, 99 % {:6.2f}; interval {:6.2f}, 99 % {:6.2f}; picture {:5.3f} ms, "
-        "99 % {:5.3f}; {} x {}, {} spp, {:.1f} Msamples/s, sync {:.2f} ms\n",
-        name, quantile(frame, 0.5), quantile(frame, 0.99), quantile(interval, 0.5),
-        quantile(interval, 0.99), quantile(show, 0.5), quantile(show, 0.99), s.width, s.height,
-        s.samples, s.samples_per_second / 1e6, s.sync_ms);
+        "{:16} frame {:6.2f} ms, 99 % {:6.2f}; of it interface {:5.2f}, 99 % {:5.2f}; interval "
+        "{:6.2f}, 99 % {:6.2f}; picture {:5.3f} ms, 99 % {:5.3f}; {} x {}, {} spp, {:.1f} "
+        "Msamples/s, sync {:.2f} ms\n",
+        name, quantile(frame, 0.5), quantile(frame, 0.99), quantile(interface, 0.5),
+        quantile(interface, 0.99), quantile(interval, 0.5), quantile(interval, 0.99),
+        quantile(show, 0.5), quantile(show, 0.99), s.width, s.height, s.samples,
+        s.samples_per_second / 1e6, s.sync_ms);
     std::fflush(stdout);
 }
 

@@ -3,6 +3,7 @@
 
 #include <teapath/scene/scene.h>
 
+#include <string>
 #include <vector>
 
 namespace tp {
@@ -15,6 +16,9 @@ std::vector<ObjectId> objects_of(const Scene& scene, ModelId id);
 
 /// Places the model; its objects go along with what was changed of each.
 void place_model(Scene& scene, ModelId id, const Transform& transform);
+
+/// What of its objects could not stand there, in words for the user; empty: nothing.
+std::string refusal_of_place(const Scene& scene, ModelId id, const Transform& transform);
 
 /// Removes the model with its objects, and with its materials and textures but those that other
 /// things use: these become the scene's own.

@@ -11,6 +11,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 namespace tp {
 namespace {
 
@@ -97,8 +99,8 @@ void draw_camera_row(PanelContext& c) {
     ExportSettings& s = c.ui.dialogs.exports;
     const Scene& scene = c.document.scene();
     if (!find(scene, s.camera)) s.camera = active_camera(scene).id;
-    const auto name = [](const Camera& camera) {
-        return camera.name.empty() ? fmt::format("camera {}", camera.id.value) : camera.name;
+    const auto name = [&scene](const Camera& camera) {
+        return item_name(scene, item_of(camera.id));
     };
     ui::label("Camera", "Where the picture is taken from");
     ImGui::SetNextItemWidth(-1);
@@ -180,9 +182,11 @@ void start(PanelContext& c) {
 void draw_export_window(PanelContext& c) {
     if (!c.ui.dialogs.show_export) return;
     begin(c);
-    ImGui::SetNextWindowSize(ImVec2(ImGui::GetFontSize() * 30, 0), ImGuiCond_Appearing);
-    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetWorkCenter(), ImGuiCond_Appearing,
-                            ImVec2(0.5f, 0.5f));
+    const ImGuiViewport* main = ImGui::GetMainViewport();
+    const ImVec2 most(main->WorkSize.x - 16, main->WorkSize.y - 16);
+    ImGui::SetNextWindowSizeConstraints({0, 0}, most);
+    ImGui::SetNextWindowSize({std::min(ImGui::GetFontSize() * 34, most.x), 0}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowPos(main->GetWorkCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
     if (ImGui::Begin("Export", &c.ui.dialogs.show_export,
                      ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoCollapse |
                          ImGuiWindowFlags_NoSavedSettings)) {

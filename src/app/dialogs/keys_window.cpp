@@ -43,10 +43,10 @@ std::vector<Column> columns_of_height(const std::vector<Group>& groups, size_t h
     return columns;
 }
 
-// The lowest columns that hold the groups.
-std::vector<Column> lowest_columns(const std::vector<Group>& groups) {
+// The lowest columns that hold the groups, at most so many.
+std::vector<Column> lowest_columns(const std::vector<Group>& groups, size_t most) {
     size_t height = 1;
-    while (columns_of_height(groups, height).size() > kMostColumns)
+    while (columns_of_height(groups, height).size() > most)
         ++height;
     return columns_of_height(groups, height);
 }
@@ -96,7 +96,9 @@ void draw_keys_window(PanelContext& c) {
     if (ImGui::Begin("Keys", &c.ui.dialogs.show_keys,
                      ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoDocking |
                          ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_columns(lowest_columns(grouped(key_table(c.ui.keys))));
+        const float column_width = 18 * ImGui::GetFontSize();
+        const auto room = static_cast<size_t>(std::max(1.0f, main->WorkSize.x / column_width));
+        draw_columns(lowest_columns(grouped(key_table(c.ui.keys)), std::min(room, kMostColumns)));
         ImGui::Separator();
         if (ImGui::Button("Change keys\xe2\x80\xa6")) c.ui.dialogs.show_settings = true;
         if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))

@@ -37,8 +37,14 @@ void draw_interface(Preferences& p) {
     }
     ui::row("Smooth pixels", p.smooth_picture,
             "Interpolates between the pixels of a picture that is shown larger or smaller");
-    ui::row("Autosave", p.autosave_minutes, Preferences{}.autosave_minutes, 0, 60,
-            "Minutes between the copies that are kept for recovery; 0 is never");
+    ui::row({.name = "Autosave",
+             .help = "Minutes between the copies that are kept for recovery; 0 is never",
+             .speed = 0.1,
+             .low = 0,
+             .high = 60,
+             .unit = " min",
+             .whole = true},
+            p.autosave_minutes, Preferences{}.autosave_minutes);
     ui::row("Native dialogs", p.native_dialogs,
             "Files are chosen in the desktop's own dialogs, where it has some");
     ui::end_rows();
@@ -49,7 +55,7 @@ void draw_flying(Preferences& p) {
     if (!ui::begin_rows("flying")) return;
     ui::row("Speed", p.fly_speed, standard.fly_speed, 0.01, 0.1, 10, "%.2f\xc3\x97",
             "Times the speed that suits the size of the scene");
-    ui::row("Look", p.look_degrees, standard.look_degrees, 0.002, 0.01, 1, "%.3f\xc2\xb0",
+    ui::row("Turning", p.look_degrees, standard.look_degrees, 0.002, 0.01, 1, "%.3f\xc2\xb0 / px",
             "Degrees that the camera turns for each pixel of the mouse");
     ui::end_rows();
 }
@@ -66,7 +72,7 @@ void draw_settings_window(PanelContext& c) {
     const ImGuiViewport* main = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(main->GetWorkCenter(), ImGuiCond_Appearing, {0.5f, 0.5f});
     ImGui::SetNextWindowSize(
-        {std::min(46 * font, main->WorkSize.x - 16), std::min(34 * font, main->WorkSize.y - 16)},
+        {std::min(38 * font, main->WorkSize.x - 16), std::min(30 * font, main->WorkSize.y - 16)},
         ImGuiCond_Appearing);
     // While a key is waited for, none goes round among the buttons.
     const ImGuiWindowFlags flags = ImGuiWindowFlags_NoDocking | ImGuiWindowFlags_NoSavedSettings |

@@ -2,6 +2,7 @@
 
 #include "../fly_camera.h"
 #include "gl_program.h"
+#include "outline_meshes.h"
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace tp {
@@ -65,6 +67,12 @@ DoubleMat4 clip_from_picture(const PlaceRect& picture, const PixelRect& seen) {
     return matrix;
 }
 
+// Balls and boxes are drawn with the cube as their bounds, flat forms with its square, meshes as
+// they are: in this order.
+int rank(OutlineForm form) {
+    return form == OutlineForm::Mesh ? 2 : form > OutlineForm::Ball ? 1 : 0;
+}
+
 }  // namespace
 
 // Objects of GL; the textures of the selection have the size of what is seen.
@@ -100,7 +108,9 @@ struct ViewportLayers::Gl {
     GlProgram picture{"quad.vert", "picture.frag"};
     GlProgram ground_grid{"quad.vert", "ground_grid.frag"};
     GlProgram selection{"selection.vert", "selection.frag"};
+    GlProgram selection_mesh{"selection_mesh.vert", "selection.frag"};
     GlProgram outline{"quad.vert", "outline.frag"};
+    OutlineMeshes meshes;
     unsigned vertices = 0;  // none: the shaders know them
     unsigned parts = 0, framebuffer = 0;
     unsigned textures[2] = {0, 0};  // object of each pixel, depth
@@ -119,14 +129,18 @@ struct ViewportLayers::Gl {
     }
 };
 
-ViewportLayers::ViewportLayers() : gl_(std::make_unique<Gl>()) {}
+ViewportLayers::ViewportLayers() : gl_(std::make_unique<Gl>()) {
+    const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    const bool is_software =
+        renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos;
+    most_triangles_ = is_software ? 250'000 : 1'000'000;
+}
 ViewportLayers::~ViewportLayers() = default;
 
 void ViewportLayers::add_to(ImDrawList& list, LayerFrame frame) {
     frame_ = std::move(frame);
-    // Balls and boxes have the cube as their bounds, the others its square.
-    std::stable_partition(frame_.selection.begin(), frame_.selection.end(),
-                          [](const auto& part) { return part.form <= OutlineForm::Ball; });
+    std::stable_sort(frame_.selection.begin(), frame_.selection.end(),
+                     [](const auto& a, const auto& b) { return rank(a.form) < rank(b.form); });
     list.AddCallback(
         [](const ImDrawList*, const ImDrawCmd* command) {
             static_cast<ViewportLayers*>(command->UserCallbackData)->draw();
@@ -144,6 +158,7 @@ void ViewportLayers::draw() {
     if (seen.empty()) return;
     glBindVertexArray(gl_->vertices);
     if (!frame_.selection.empty()) trace_selection();
+    gl_->meshes.end_frame();
     glScissor(seen.x, viewport[3] - seen.y - seen.height, seen.width, seen.height);
     if (frame_.texture) draw_picture();
     if (frame_.has_ground_grid) draw_ground_grid();
@@ -196,9 +211,12 @@ void ViewportLayers::trace_selection() {
         parts.push_back(gpu_part(part, clip, eye));
     glNamedBufferData(gl_->parts, static_cast<GLsizeiptr>(parts.size() * sizeof(GpuPart)),
                       parts.data(), GL_STREAM_DRAW);
-    const auto solids = static_cast<GLsizei>(
-        std::count_if(frame_.selection.begin(), frame_.selection.end(),
-                      [](const OutlinePart& part) { return part.form <= OutlineForm::Ball; }));
+    const auto count_of = [&](int wanted) {
+        return static_cast<GLsizei>(
+            std::count_if(frame_.selection.begin(), frame_.selection.end(),
+                          [wanted](const OutlinePart& part) { return rank(part.form) == wanted; }));
+    };
+    const GLsizei solids = count_of(0), flats = count_of(1);
 
     GLint before = 0, viewport[4];
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
@@ -218,8 +236,13 @@ void ViewportLayers::trace_selection() {
     glUniform1i(0, 0);
     glDrawArraysInstanced(GL_TRIANGLES, 0, kCubeVertices, solids);
     glUniform1i(0, solids);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, kQuadVertices,
-                          static_cast<GLsizei>(parts.size()) - solids);
+    glDrawArraysInstanced(GL_TRIANGLES, 0, kQuadVertices, flats);
+    glUseProgram(gl_->selection_mesh.id());
+    for (size_t i = static_cast<size_t>(solids + flats); i < parts.size(); ++i) {
+        glUniform1i(0, static_cast<GLint>(i));
+        gl_->meshes.draw(frame_.selection[i].mesh);
+    }
+    glBindVertexArray(gl_->vertices);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
     glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(before));

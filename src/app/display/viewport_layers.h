@@ -40,6 +40,10 @@ public:
     /// counts: once a frame of the window.
     void add_to(ImDrawList& list, LayerFrame frame);
 
+    /// Triangles of meshes that a frame may have for its outlines: what the driver draws in some
+    /// milliseconds.
+    size_t most_outline_triangles() const { return most_triangles_; }
+
 private:
     struct Gl;
     void draw();
@@ -50,6 +54,7 @@ private:
 
     std::unique_ptr<Gl> gl_;
     LayerFrame frame_;
+    size_t most_triangles_ = 0;
 };
 
 }  // namespace tp

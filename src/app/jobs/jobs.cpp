@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 // Of this thread and of those that it will start: on Linux both have a priority of their own.
 void lower_priority() {
-    setpriority(PRIO_PROCESS, 0, 10);
+    setpriority(PRIO_PROCESS, 0, std::max(10, getpriority(PRIO_PROCESS, 0)));
 }
 
 }  // namespace

@@ -33,6 +33,22 @@ ModelFigures figures_of(const Scene& scene, ModelId id) {
     return f;
 }
 
+// The figures of the model that was shown last; objects are walked where it is another one or the
+// scene has changed.
+struct KnownFigures {
+    ScenePtr scene;
+    ModelId model;
+    ModelFigures figures;
+    std::vector<ObjectId> objects;
+};
+
+const KnownFigures& known_figures(PanelContext& c, const ScenePtr& scene, ModelId id) {
+    KnownFigures& known = c.ui.local.get<KnownFigures>();
+    if (known.scene != scene || known.model != id)
+        known = {scene, id, figures_of(*scene, id), objects_of(*scene, id)};
+    return known;
+}
+
 void figure_rows(const Model& model, const ModelFigures& f) {
     ui::row_text("File", model.content ? model.path : model.path + " (missing)");
     ui::row_text("Objects", fmt::format("{}", f.objects));
@@ -68,8 +84,8 @@ void transform_rows(PanelContext& c, const Model& model) {
                                  .is_axis = true},
                                 t.scale, standard.scale);
     if (!moved && !turned && !scaled) return;
-    for (int axis = 0; axis < 3; ++axis)
-        if (t.scale[axis] == 0) return say_refusal(c, "a scale is 0");
+    if (const std::string why = refusal_of_place(c.document.scene(), model.id, t); !why.empty())
+        return say_refusal(c, why);
     const char* what = moved ? "Position" : turned ? "Rotation" : "Scale";
     c.document.edit(fmt::format("{} of {}", what, model.name),
                     fmt::format("model {} {}", model.id.value, what),
@@ -83,12 +99,13 @@ void model_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
     const Model* model = find(*scene, ModelId{items.back().id});
     if (!model) return;
     inspector_header(c, items, ICON_FA_CUBES, "Model");
+    const KnownFigures& known = known_figures(c, scene, model->id);
     if (ui::begin_rows("model")) {
         transform_rows(c, *model);
-        figure_rows(*model, figures_of(*scene, model->id));
+        figure_rows(*model, known.figures);
         ui::end_rows();
     }
-    const std::vector<ObjectId> ids = objects_of(*scene, model->id);
+    const std::vector<ObjectId>& ids = known.objects;
     if (ui::button("Select its objects", !ids.empty(), "None of them is left")) {
         std::vector<SceneItem> objects;
         for (const ObjectId id : ids)

@@ -157,7 +157,7 @@ std::vector<Figure> figures_of(const PanelContext& c) {
         {"Rate", count_text(s.samples_per_second) + "samples/s"},
         {"Rays", count_text(s.rays_per_second) + "rays/s"},
         {"Time left", time_left_text(c)},
-        {"Picture", fmt::format("{} x {}", s.width, s.height)},
+        {"Picture", fmt::format("{} \xc3\x97 {}", s.width, s.height)},
         {"Objects", fmt::format("{} hittables, {} lights", s.hittables, s.lights), true},
         {"Tree", fmt::format("{} levels, {} leaves, cost {:.1f}", s.bvh.depth, s.bvh.leaf_count,
                              s.bvh.sah_cost)},
@@ -231,12 +231,13 @@ void draw_metrics(PanelContext& c) {
         const ImVec2 space = ImGui::GetContentRegionAvail();
         const float line = ImGui::GetFontSize();
         // Wide and low: the graph stands beside the table, else above it.
-        const bool is_wide = space.x > 40 * line;
+        const bool is_wide = space.x > 40 * line || (space.x > 28 * line && space.y < 14 * line);
+        const float share = space.x > 48 * line ? 0.5f : 0.42f;  // of the graph beside the table
         const float height = is_wide ? std::max(4 * line, space.y - 2 * line - ui::px(4))
                                      : std::clamp(space.y * 0.35f, 5 * line, 14 * line);
         if (ImGui::BeginChild(
                 "graph",
-                {is_wide ? std::floor(space.x * 0.5f) : 0, is_wide ? 0 : height + 2 * line},
+                {is_wide ? std::floor(space.x * share) : 0, is_wide ? 0 : height + 2 * line},
                 ImGuiChildFlags_None, ImGuiWindowFlags_NoScrollbar)) {
             draw_frame_graph(c.ui.metrics, height);
             const float button = ImGui::GetFrameHeight(), width = ImGui::GetContentRegionAvail().x;

@@ -70,8 +70,19 @@ void model_items(PanelContext& c, SceneItem item) {
 }
 
 void camera_items(PanelContext& c, SceneItem item) {
-    if (ImGui::MenuItem("Look through it"))
+    const Camera view = active_camera(c.document.scene());
+    const bool is_default = view.id == CameraId{item.id};
+    if (ImGui::MenuItem("Set as default", nullptr, is_default, !is_default))
         c.document.edit("Choose camera", "", [&](Scene& s) { s.active_camera = {item.id}; });
+    ui::tooltip("The window looks through it, and so does what renders the file");
+    if (ImGui::MenuItem("Give it this view", nullptr, false, !is_default))
+        c.document.edit("Place camera", "", [&](Scene& s) {
+            Camera& camera = *find_camera(s, {item.id});
+            camera.look_from = view.look_from;
+            camera.look_at = view.look_at;
+            camera.up = view.up;
+        });
+    ui::tooltip("It stands where you look from now, and looks the same way");
     ImGui::Separator();
 }
 

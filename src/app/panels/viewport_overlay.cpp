@@ -1,4 +1,5 @@
 // What is written over the picture: figures and notices.
+#include "../widgets.h"
 #include "viewport_parts.h"
 
 #include <fmt/format.h>
@@ -11,12 +12,18 @@ namespace {
 constexpr ImU32 kText = IM_COL32(230, 230, 230, 255);
 constexpr ImU32 kError = IM_COL32(255, 140, 120, 255);
 
+// From one plate to the next below it.
+float plate_step() {
+    return ImGui::GetTextLineHeight() + ui::px(12);
+}
+
 // Text on a dark plate; `at` is its top left.
 void plate(const ImVec2& at, const std::string& text, ImU32 color) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-    draw->AddRectFilled({at.x - 6, at.y - 3}, {at.x + size.x + 6, at.y + size.y + 3},
-                        IM_COL32(0, 0, 0, 140), 4);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()), pad(ui::px(6), ui::px(3));
+    draw->AddRectFilled({at.x - pad.x, at.y - pad.y},
+                        {at.x + size.x + pad.x, at.y + size.y + pad.y}, IM_COL32(0, 0, 0, 140),
+                        ui::px(4));
     draw->AddText(at, color, text.c_str());
 }
 
@@ -38,11 +45,11 @@ std::string status_text(const PanelContext& c) {
 void draw_toasts(PanelContext& c, const ImVec2& low, const ImVec2& high) {
     const double now = ImGui::GetTime();
     std::erase_if(c.ui.toasts, [&](const Toast& t) { return t.until < now; });
-    const float line = ImGui::GetTextLineHeight() + 13;
-    float y = high.y - line - 2;
+    const float line = plate_step(), margin = ui::px(14);
+    float y = high.y - ImGui::GetTextLineHeight() - ui::px(11);
     for (auto toast = c.ui.toasts.rbegin(); toast != c.ui.toasts.rend(); ++toast, y -= line) {
         const float width = ImGui::CalcTextSize(toast->text.c_str()).x;
-        plate({std::max(low.x + 12, high.x - width - 18), y}, toast->text,
+        plate({std::max(low.x + margin, high.x - width - margin), y}, toast->text,
               toast->is_error ? kError : kText);
     }
 }
@@ -54,22 +61,25 @@ void draw_overlay(PanelContext& c, const ViewportFrame& frame) {
     const Double2 end = frame.picture.low + frame.picture.size;
     const ImVec2 low = im(glm::max(frame.picture.low, frame.panel.low));
     const ImVec2 high = im(glm::min(end, frame.panel.low + frame.panel.size));
-    plate({low.x + 12, low.y + 10}, status_text(c), kText);
+    const float left = low.x + ui::px(14);
+    float y = low.y + ui::px(11);
+    plate({left, y}, status_text(c), kText);
     if (c.ui.paused) {
-        ImGui::GetWindowDrawList()->AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1},
-                                            kAmber, 0, 2.0f);
-        const float width = ImGui::CalcTextSize("Paused").x;
-        plate({high.x - width - 18, low.y + 10}, "Paused", kAmber);
+        const float width = ImGui::CalcTextSize("Paused").x, half_line = ui::px(2) / 2;
+        ImGui::GetWindowDrawList()->AddRect({low.x + half_line, low.y + half_line},
+                                            {high.x - half_line, high.y - half_line}, kAmber, 0,
+                                            2 * half_line);
+        plate({high.x - width - ui::px(14), y}, "Paused", kAmber);
     }
-    float y = low.y + 10 + ImGui::GetTextLineHeight() + 13;
+    y += plate_step();
     if (c.ui.viewport.speed_shown_until > ImGui::GetTime()) {
-        plate({low.x + 12, y},
+        plate({left, y},
               fmt::format("speed {:.3g} / s", c.ui.viewport.fly_speed * c.ui.preferences.fly_speed),
               kAmber);
-        y += ImGui::GetTextLineHeight() + 13;
+        y += plate_step();
     }
     if (c.ui.viewport.view.zoom > 0)
-        plate({low.x + 12, y}, fmt::format("zoom {:.4g} %", 100 * frame.zoom), kText);
+        plate({left, y}, fmt::format("zoom {:.4g} %", 100 * frame.zoom), kText);
     draw_toasts(c, low, high);
 }
 

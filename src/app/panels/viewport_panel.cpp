@@ -45,6 +45,28 @@ PlaceRect framebuffer_place(const PlaceRect& rect) {
     return {(rect.low - from_im(viewport.Pos)) * scale, rect.size * scale};
 }
 
+// What a selected model consists of, found where model or scene are others than before.
+struct ModelParts {
+    ScenePtr scene;
+    SceneItem model;
+    std::vector<const Object*> objects;
+};
+
+// The objects that are selected, by themselves or as those of a model.
+std::vector<const Object*> objects_to_outline(const PanelContext& c) {
+    const Scene& scene = c.document.scene();
+    if (!c.document.selection.empty()) return selected_objects(scene, c.document.selection);
+    const std::vector<SceneItem> items = c.document.selected_items();
+    if (items.empty() || items.back().kind != ItemKind::Model) return {};
+    ModelParts& known = c.ui.local.get<ModelParts>();
+    if (known.scene != c.document.snapshot() || known.model != items.back()) {
+        known = {c.document.snapshot(), items.back(), {}};
+        for (const Object& object : scene.objects)
+            if (object.part.model == ModelId{known.model.id}) known.objects.push_back(&object);
+    }
+    return known.objects;
+}
+
 void draw_layers(PanelContext& c, const ViewportFrame& frame) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(im(frame.panel.low), im(frame.panel.low + frame.panel.size), kSurround);
@@ -57,8 +79,7 @@ void draw_layers(PanelContext& c, const ViewportFrame& frame) {
     layers.has_ground_grid = c.ui.preferences.ground_grid;
     layers.scale = c.window.scale();
     layers.camera = active_camera(c.document.scene());
-    for (const Object* object : selected_objects(c.document.scene(), c.document.selection))
-        if (object->visible) layers.selection.push_back(outline_part(*object));
+    layers.selection = outline_parts(objects_to_outline(c), c.layers.most_outline_triangles());
     c.layers.add_to(list, std::move(layers));
 }
 

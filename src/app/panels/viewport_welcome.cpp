@@ -1,5 +1,6 @@
 // The card of the first start: six keys.
 #include "../actions.h"
+#include "../widgets.h"
 #include "viewport_parts.h"
 
 #include <algorithm>
@@ -52,10 +53,14 @@ void draw_welcome(PanelContext& c, const ViewportFrame& frame) {
     const float font = ImGui::GetFontSize(), line = 1.7f * font, gap = font, pad = 1.6f * font;
     const ImVec2 size(keys + gap + texts + 2 * pad,
                       line * static_cast<float>(table.size()) + 2 * pad);
-    const ImVec2 middle = im(frame.panel.low + frame.panel.size * 0.5);
-    const ImVec2 low(middle.x - size.x / 2, middle.y - size.y / 2);
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled(low, {low.x + size.x, low.y + size.y}, IM_COL32(24, 24, 26, 225), 6);
+    // Where the panel is small, the card lies over its neighbours, within the window.
+    const ImGuiViewport* window = ImGui::GetMainViewport();
+    const Double2 from = from_im(window->WorkPos), room = from_im(window->WorkSize) - from_im(size);
+    const Double2 wanted = frame.panel.low + (frame.panel.size - from_im(size)) * 0.5;
+    const ImVec2 low = im(glm::floor(glm::clamp(wanted, from, from + glm::max(room, Double2(0)))));
+    ImDrawList* draw = ImGui::GetForegroundDrawList(ImGui::GetWindowViewport());
+    draw->AddRectFilled(low, {low.x + size.x, low.y + size.y}, IM_COL32(24, 24, 26, 240),
+                        ui::px(6));
     float y = low.y + pad + (line - font) / 2;
     for (const auto& [name, what] : table) {
         const float width = ImGui::CalcTextSize(name.c_str()).x;

@@ -126,6 +126,11 @@ void Previews::begin_frame() {
         forget_oldest();
 }
 
+bool Previews::is_complete() const {
+    return std::all_of(entries_.begin(), entries_.end(),
+                       [](const auto& entry) { return entry.second.texture != nullptr; });
+}
+
 void Previews::forget_oldest() {
     const auto oldest = std::min_element(
         entries_.begin(), entries_.end(),

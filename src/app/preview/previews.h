@@ -37,6 +37,8 @@ public:
     /// Takes what the thread has finished. Called once a frame.
     void begin_frame();
 
+    /// True where all that were asked for are there; for tests.
+    bool is_complete() const;
     /// Pictures rendered so far; for tests.
     size_t rendered() const { return rendered_; }
 

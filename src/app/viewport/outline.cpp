@@ -69,20 +69,37 @@ struct MakePart {
     }
     OutlinePart operator()(const MeshShape& m) const {
         if (!m.file.mesh) return {OutlineForm::Box, placed({.5, 0, 0}, {0, .5, 0}, {0, 0, .5}, {})};
+        const DoubleMat4 placement(m.placement);
+        if (!box_for_mesh) return {OutlineForm::Mesh, placement, m.file.mesh};
         const Double3 low = m.file.mesh->low, high = m.file.mesh->high;
         const Double3 half = (high - low) * 0.5;
-        return {OutlineForm::Box,
-                DoubleMat4(m.placement) *
-                    placed({half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z}, (low + high) * 0.5)};
+        return {OutlineForm::Box, placement * placed({half.x, 0, 0}, {0, half.y, 0}, {0, 0, half.z},
+                                                     (low + high) * 0.5)};
     }
+
+    bool box_for_mesh = false;
 };
 
 }  // namespace
 
-OutlinePart outline_part(const Object& object) {
-    OutlinePart part = std::visit(MakePart{}, object.shape);
+OutlinePart outline_part(const Object& object, bool box_for_mesh) {
+    OutlinePart part = std::visit(MakePart{box_for_mesh}, object.shape);
     part.world_from_unit = world_from_object(object.transform) * part.world_from_unit;
     return part;
+}
+
+std::vector<OutlinePart> outline_parts(const std::vector<const Object*>& objects,
+                                       size_t most_triangles) {
+    std::vector<OutlinePart> parts;
+    for (const Object* object : objects) {
+        if (!object->visible) continue;
+        const auto* shape = std::get_if<MeshShape>(&object->shape);
+        const size_t triangles = shape && shape->file.mesh ? shape->file.mesh->triangles.size() : 0;
+        const bool is_too_fine = triangles > most_triangles;
+        if (!is_too_fine) most_triangles -= triangles;
+        parts.push_back(outline_part(*object, is_too_fine));
+    }
+    return parts;
 }
 
 DoubleMat4 clip_from_world(const Camera& camera, double aspect) {

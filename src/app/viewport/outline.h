@@ -6,6 +6,8 @@
 #include <teapath/scene/object.h>
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace tp {
 
@@ -15,15 +17,21 @@ enum class OutlineForm : uint32_t {
     Ball,       // radius 1
     Rectangle,  // all of the square
     Disk,       // radius 1
-    Triangle    // the square's corners (-1, -1), (1, -1), (-1, 1)
+    Triangle,   // the square's corners (-1, -1), (1, -1), (-1, 1)
+    Mesh        // the mesh itself, in its own space
 };
 
 struct OutlinePart {
     OutlineForm form;
     DoubleMat4 world_from_unit;
+    std::shared_ptr<const Mesh> mesh = nullptr;  // of the form Mesh alone
 };
 
-OutlinePart outline_part(const Object& object);
+/// A mesh is its own outline, or else its box.
+OutlinePart outline_part(const Object& object, bool box_for_mesh = false);
+/// Those of the visible ones. Meshes beyond that many triangles in all are boxes.
+std::vector<OutlinePart> outline_parts(const std::vector<const Object*>& objects,
+                                       size_t most_triangles);
 
 /// From the world to clip space of a picture of this width over height: (-1, -1) is its lower left
 /// corner, w the distance along the view axis, z 0.
