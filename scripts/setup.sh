@@ -149,6 +149,14 @@ fetch_window() {
     say "what the window needs could not be fetched: command line only; to try again, remove $failed"
 }
 
+# The denoiser's libraries, which the program loads where they are; a failure is remembered in the same way.
+fetch_denoiser() {
+    local failed=$deps/denoiser.failed
+    if [ -e "$failed" ] || bash "$root/scripts/fetch_denoiser.sh" "$deps"; then return 0; fi
+    touch "$failed"
+    say "Open Image Denoise could not be fetched: pictures keep their noise; to try again, remove $failed"
+}
+
 # One set-up and build at a time in this folder; the lock ends with unlock or with the shell.
 lock() {
     command -v flock >/dev/null || return 0
@@ -166,6 +174,7 @@ set_up() {
     lock
     install_packages
     fetch_window
+    fetch_denoiser
     find_nvcc
     local stamp options=()
     [ "${TEAPATH_WERROR:-}" = ON ] && touch "$build/werror"

@@ -75,6 +75,8 @@ public:
         s.display.iso = static_cast<float>(1 + below(800));
         s.render.width = 1 + static_cast<int>(below(65536));
         s.render.height = 1 + static_cast<int>(below(4096));
+        s.render.denoise = below(2);
+        s.render.denoise_strength = 0.25 * below(5);
         s.render.path.integrator = kind<IntegratorKind>();
         s.render.path.sampler = kind<SamplerKind>();
         s.render.path.seed = (uint64_t{random_()} << 32) | random_();

@@ -32,6 +32,7 @@ WINDOW_PACKAGES = {"libegl-dev", "libgl-dev", "libgl1-mesa-dri", "libxcursor-dev
 WHEELS = {
     "scripts/cuda_wheels.txt": {"nvidia-cuda-nvcc", "nvidia-cuda-runtime", "nvidia-cuda-cccl", "nvidia-cuda-crt",
                                 "nvidia-nvvm"},
+    "scripts/denoiser_wheels.txt": {"pyoidn"},
     "scripts/window_dependencies.txt": {"imgui-bundle"},
     "scripts/window_tools.txt": {"scikit-build-core", "packaging", "pathspec", "glad2", "jinja2", "markupsafe"},
     "tests/tools/requirements.txt": {"numpy", "openexr"},

@@ -310,14 +310,15 @@ void RenderWorker::run_tasks(Session& session) {
 
 void RenderWorker::publish(Session& session, bool is_preview) {
     const auto start = Clock::now();
-    DisplayImage image = session.display_image();
+    std::optional<DisplayImage> image =
+        live_denoiser_.next(session, rendered_, is_preview, is_finished(session));
     const RenderCounters counters = session.counters();
     const std::lock_guard lock(mutex_);
     status_.display_ms = seconds_since(start) * 1e3;
     status_.scene = current_.scene;
-    status_.samples = image.samples;
-    status_.width = image.width;
-    status_.height = image.height;
+    status_.samples = session.samples();
+    status_.width = rendered_->render.width;
+    status_.height = rendered_->render.height;
     status_.memory_bytes = session.memory_bytes();
     status_.invalid_samples = counters.invalid_samples;
     if (counters.samples > counted_.samples)
@@ -325,7 +326,7 @@ void RenderWorker::publish(Session& session, bool is_preview) {
                                   static_cast<double>(counters.rays - counted_.rays) /
                                   static_cast<double>(counters.samples - counted_.samples);
     counted_ = counters;
-    image_ = std::move(image);
+    if (image) image_ = std::move(image);
     status_.is_done = is_finished(session);
     status_.is_preview = is_preview;
 }

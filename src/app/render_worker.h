@@ -2,6 +2,8 @@
 // publishes finished pictures. Nothing here waits for the renderer.
 #pragma once
 
+#include "live_denoiser.h"
+
 #include <teapath/device/scene_arrays.h>
 #include <teapath/render/session.h>
 #include <teapath/scene/scene.h>
@@ -121,6 +123,7 @@ private:
     // The thread's own.
     Request current_;
     std::shared_ptr<const Scene> rendered_;  // the scene of the session
+    LiveDenoiser live_denoiser_;
     double pixels_per_second_ = 2e6;
     RenderCounters counted_;  // as of the last picture
     int divider_ = 1;

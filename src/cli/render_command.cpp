@@ -49,7 +49,7 @@ struct Words {
     std::optional<std::string> scene, spp, time, size, depth, seed, camera, backend, device,
         threads;
     std::vector<std::string> outputs, settings;
-    bool quiet = false;
+    bool quiet = false, denoise = false;
 };
 
 void add_options(CLI::App& parser, Words& words) {
@@ -82,6 +82,8 @@ void add_options(CLI::App& parser, Words& words) {
         "Where to render (auto: CUDA where it works)");
     add("--device", words.device, "N", "Number of the CUDA device; teapath info lists them");
     add("--threads", words.threads, "N", "Threads of the host backend, instead of one a core");
+    parser.add_flag("--denoise", words.denoise, "Take the noise away (Open Image Denoise)")
+        ->disable_flag_override();
     parser.add_flag("-q,--quiet", words.quiet, "Only warnings and errors")->disable_flag_override();
 }
 
@@ -107,6 +109,7 @@ RenderOptions parse_options(const Words& words) {
     if (words.backend) options.backend = parse_backend("--backend", *words.backend);
     options.threads = whole("--threads", words.threads, 1, kMaxThreads).value_or(0);
     options.quiet = words.quiet;
+    options.denoise = words.denoise;
 
     // Who names a device means it: no falling back to the host.
     if (const auto device = whole("--device", words.device, 0, kMaxDevice)) {

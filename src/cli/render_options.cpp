@@ -54,6 +54,7 @@ Scene apply_options(const Scene& scene, const RenderOptions& options) {
         render.height = options.size->height;
     }
     if (options.depth) render.path.max_depth = *options.depth;
+    if (options.denoise) render.denoise = true;
     if (options.seed) render.path.seed = *options.seed;
     if (options.camera) changed.active_camera = camera_named(changed, *options.camera);
 

@@ -31,6 +31,7 @@ struct RenderOptions {
     int device = 0;
     int threads = 0;  // 0 = all cores
     bool quiet = false;
+    bool denoise = false;  // false: as the scene says
 };
 
 /// The scene with the options' settings in place, checked. Throws Error(Usage) that names the

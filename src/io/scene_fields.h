@@ -284,6 +284,8 @@ void render_fields(V& v, RenderSettings& r) {
     v("height", r.height);
     v("samples", r.samples);
     v("seconds", r.seconds);
+    v("denoise", r.denoise);
+    v("denoise_strength", r.denoise_strength);
     v("integrator", r.path.integrator);
     v("max_depth", r.path.max_depth);
     v("roulette_depth", r.path.roulette_depth);

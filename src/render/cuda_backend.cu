@@ -119,6 +119,15 @@ public:
             setup_.width, setup_.height, samples_);
     }
 
+    FilmImage read_guides(int64_t samples) override {
+        DeviceBuffer<FeatureSum> on_device(pixels_);
+        on_device.clear_to_zero(stream_.get());
+        launch_features(features_, params_, 0, samples, on_device.data(), stream_.get());
+        std::vector<FeatureSum> sums(pixels_);
+        on_device.download(sums.data(), stream_.get());
+        return resolve_guides(make_span(std::as_const(sums)), setup_.width, setup_.height, samples);
+    }
+
     std::vector<uint8_t> read_display(const DisplaySettings& display) override {
         DeviceBuffer<Rgb8> rgb(pixels_);
         launch_display(totals_.data(), open_.data(), pixels_, samples_, display, rgb.data(),

@@ -77,4 +77,15 @@ FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, 
     return image;
 }
 
+FilmImage resolve_guides(Span<const FeatureSum> features, int width, int height, int64_t samples) {
+    FilmImage image;
+    image.width = width;
+    image.height = height;
+    image.samples = samples;
+    FilmSums sums;
+    sums.features = features;
+    resolve_features(sums, samples, image);
+    return image;
+}
+
 }  // namespace tp

@@ -26,4 +26,7 @@ struct HittableIds {
 FilmImage resolve_film(const FilmSums& sums, const HittableIds& ids, int width, int height,
                        int64_t samples);
 
+/// The feature planes alone, of sums of that many samples.
+FilmImage resolve_guides(Span<const FeatureSum> features, int width, int height, int64_t samples);
+
 }  // namespace tp

@@ -84,6 +84,22 @@ public:
             samples_);
     }
 
+    FilmImage read_guides(int64_t samples) override {
+        std::vector<FeatureSum> sums(totals_.size());
+        with_variant(arrays_.features, [&]<uint32_t kFeatures>() {
+            pool_.for_each(setup_.height, [&](int64_t y) {
+                for (int x = 0; x < setup_.width; ++x)
+                    for (int64_t s = 0; s < samples; ++s)
+                        add_features<kFeatures>(
+                            params_, static_cast<uint32_t>(x), static_cast<uint32_t>(y),
+                            static_cast<uint64_t>(s),
+                            sums[static_cast<size_t>(y) * static_cast<size_t>(setup_.width) +
+                                 static_cast<size_t>(x)]);
+            });
+        });
+        return resolve_guides(make_span(std::as_const(sums)), setup_.width, setup_.height, samples);
+    }
+
     std::vector<uint8_t> read_display(const DisplaySettings& display) override {
         std::vector<uint8_t> rgb(sizeof(Rgb8) * totals_.size());
         write_display(display, reinterpret_cast<Rgb8*>(rgb.data()), [](Rgb8 c) { return c; });

@@ -1,5 +1,7 @@
 #include <teapath/core/error.h>
+#include <teapath/core/log.h>
 #include <teapath/io/image_file.h>
+#include <teapath/render/denoised.h>
 #include <teapath/render/output_files.h>
 #include <teapath/render/rendered_image.h>
 #include <teapath/render/scheduler.h>
@@ -63,7 +65,7 @@ ImageLayer beauty_layer(const FilmImage& film, bool with_alpha) {
 }
 
 // The film as the layers of an EXR file.
-void add_all_layers(Picture& picture, const FilmImage& film) {
+void add_all_layers(Picture& picture, const FilmImage& film, const std::vector<float>& noisy) {
     picture.linear.push_back(beauty_layer(film, !film.alpha.empty()));
     add_layer(picture, "albedo", {"R", "G", "B"}, film.albedo);
     add_layer(picture, "normal", {"X", "Y", "Z"}, film.normal);
@@ -73,6 +75,7 @@ void add_all_layers(Picture& picture, const FilmImage& film) {
     add_layer(picture, "standard_error", {"Y"}, film.standard_error);
     const std::vector<float> counts(film.radiance.size() / 3, static_cast<float>(film.samples));
     add_layer(picture, "samples", {"count"}, counts);
+    add_layer(picture, "noisy", {"R", "G", "B"}, noisy);
 }
 
 Picture picture_for(const std::filesystem::path& file, const RenderedImage& image) {
@@ -83,11 +86,29 @@ Picture picture_for(const std::filesystem::path& file, const RenderedImage& imag
             picture.linear.push_back(beauty_layer(image.film, false));
             break;
         case FileContent::Layers:
-            add_all_layers(picture, image.film);
+            add_all_layers(picture, image.film, image.noisy);
             picture.metadata.insert(image.run.begin(), image.run.end());
             break;
     }
     return picture;
+}
+
+// Replaces the picture by one without noise, if the scene asks for it and it can be had.
+void denoise(const Session& session, const Scene& scene, RenderedImage& image) {
+    if (!scene.render.denoise || !(scene.render.denoise_strength > 0)) return;
+    try {
+        FilmDenoiser denoiser;
+        FilmImage clean =
+            denoiser.film(session, scene.render.denoise_strength, DenoiseQuality::Final);
+        if (!image.display.empty()) image.display = display_bytes(clean, scene.display, 3);
+        if (!image.film.radiance.empty()) {
+            image.noisy = std::move(image.film.radiance);
+            image.film.radiance = std::move(clean.radiance);
+        }
+        image.metadata["denoiser"] = denoiser.name();
+    } catch (const Error& error) {
+        log_warning("{}; the picture keeps its noise", error.what());
+    }
 }
 
 }  // namespace
@@ -133,6 +154,7 @@ RenderedImage rendered_image(const Session& session, const Scene& scene,
         image.film = session.film();
     if (any_has(files, FileContent::Display)) image.display = session.display();
     image.metadata = metadata(scene_name, scene, session);
+    denoise(session, scene, image);
     image.run = {{"seconds", fmt::format("{:.3f}", seconds)}, {"backend", session.backend_name()}};
     return image;
 }

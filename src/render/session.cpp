@@ -36,16 +36,14 @@ void Session::sync(std::shared_ptr<const Scene> scene) {
     const FilmSetup setup{scene_->render.width, scene_->render.height, options_.features};
     if (parts != SceneParts::None || setup != film_setup_) {
         film_setup_ = setup;
-        backend_->reset_film(setup);
-        samples_ = 0;
+        empty_film();
     }
 }
 
 bool Session::step(int64_t samples) {
     if (!backend_->render({samples_, samples}, cancel_)) {
         cancel_ = false;
-        backend_->reset_film(film_setup_);
-        samples_ = 0;
+        empty_film();
         return false;
     }
     samples_ += samples;
@@ -53,8 +51,13 @@ bool Session::step(int64_t samples) {
 }
 
 void Session::restart() {
+    empty_film();
+}
+
+void Session::empty_film() {
     backend_->reset_film(film_setup_);
     samples_ = 0;
+    ++film_number_;
 }
 
 FilmImage Session::film() const {
@@ -63,6 +66,10 @@ FilmImage Session::film() const {
 
 std::vector<uint8_t> Session::display() const {
     return backend_->read_display(scene_->display);
+}
+
+FilmImage Session::guides(int64_t samples) const {
+    return backend_->read_guides(samples);
 }
 
 DisplayImage Session::display_image() const {

@@ -16,6 +16,7 @@ void check_render(const RenderSettings& r, ProblemList& problems) {
                        "at most 268,435,456, for example 16384 x 16384");
     problems.in_range("render.samples", r.samples, 1, kMaxSamples);
     problems.in_range("render.seconds", r.seconds, 0.0, 1e9);
+    problems.in_range("render.denoise_strength", r.denoise_strength, 0.0, 1.0);
     problems.in_range("render.max_depth", r.path.max_depth, 1, kMaxPathDepth);
     problems.in_range("render.roulette_depth", r.path.roulette_depth, 0, kMaxPathDepth);
     problems.in_range("render.tea_rounds", r.path.tea_rounds, 6, 32);

@@ -218,5 +218,18 @@ class EqualRuns(CommandTest):
         Png(self.read("far/picture.png"))
 
 
+class Denoising(CommandTest):
+    def test_without_the_library_the_picture_keeps_its_noise_and_a_warning_says_why(self):
+        self.scene()
+        self.assert_done(self.render("scene.json", "-o", "noisy.png", "--spp", 4))
+        result = self.render("scene.json", "-o", "a.png", "-o", "a.exr", "--spp", 4, "--denoise",
+                             env={"TEAPATH_OIDN": "/nowhere"})
+        self.assert_done(result)
+        self.assertIn("no denoiser", result.stderr)
+        self.assertIn("TEAPATH_OIDN", result.stderr, "the remedy")
+        self.assertEqual(Png(self.read("a.png")).pixels, Png(self.read("noisy.png")).pixels)
+        self.assertNotIn("noisy.R", Exr(self.read("a.exr")).types)
+
+
 if __name__ == "__main__":
     main()

@@ -59,6 +59,10 @@ public:
     /// The film so far. Waits for the work under way.
     virtual FilmImage read_film() = 0;
 
+    /// Albedo and normal planes of the first `samples` samples of each pixel, traced now, whatever
+    /// the film holds: what guides a denoiser.
+    virtual FilmImage read_guides(int64_t samples) = 0;
+
     /// The film through exposure and tone curve: RGB bytes, row-major, top row first.
     virtual std::vector<uint8_t> read_display(const DisplaySettings& display) = 0;
 

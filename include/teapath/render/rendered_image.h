@@ -31,6 +31,7 @@ struct RenderedImage {
     int width = 0;
     int height = 0;
     FilmImage film;                // empty if no file holds radiance
+    std::vector<float> noisy;      // radiance before it was denoised; empty if it was not
     std::vector<uint8_t> display;  // RGB; empty if no file holds bytes
 
     std::map<std::string, std::string> metadata;  // the same for each run of the same render

@@ -51,10 +51,12 @@ public:
     /// Asks a step under way, from any thread, to end early.
     void cancel() { cancel_ = true; }
 
-    int64_t samples() const { return samples_; }  // per pixel, in the film
+    int64_t samples() const { return samples_; }           // per pixel, in the film
+    uint64_t film_number() const { return film_number_; }  // another one each time it is emptied
     FilmImage film() const;
-    std::vector<uint8_t> display() const;  // RGB bytes after the scene's display settings
-    DisplayImage display_image() const;    // for a window
+    std::vector<uint8_t> display() const;     // RGB bytes after the scene's display settings
+    DisplayImage display_image() const;       // for a window
+    FilmImage guides(int64_t samples) const;  // albedo and normal of so many samples, traced now
 
     std::string backend_name() const { return backend_->name(); }
     BackendKind backend_kind() const { return backend_->kind(); }  // Cuda or Host
@@ -63,12 +65,15 @@ public:
     const SceneArrays& arrays() const { return arrays_; }
 
 private:
+    void empty_film();
+
     SessionOptions options_;
     std::unique_ptr<Backend> backend_;
     std::shared_ptr<const Scene> scene_;
     SceneArrays arrays_;
     FilmSetup film_setup_;
     int64_t samples_ = 0;
+    uint64_t film_number_ = 0;
     std::atomic<bool> cancel_ = false;
 };
 

@@ -61,8 +61,10 @@ inline constexpr int kMaxSamples = 1 << 30;
 struct RenderSettings {
     int width = 1280;  // pixels, 1 to 65,536; width * height at most 2^28
     int height = 720;
-    int samples = 64;    // per pixel, 1 to 2^30
-    double seconds = 0;  // the render stops after, whatever the samples; 0 = no limit
+    int samples = 64;             // per pixel, 1 to 2^30
+    double seconds = 0;           // the render stops after, whatever the samples; 0 = no limit
+    bool denoise = false;         // takes the noise away from what is shown and written
+    double denoise_strength = 1;  // 0 to 1: from the noisy picture to the one without noise
     PathSettings path;
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;

@@ -4,6 +4,7 @@
 #include "inspector.h"
 #include "panels.h"
 
+#include <teapath/denoise/denoiser.h>
 #include <teapath/device/devices.h>
 #include <teapath/render/backend_names.h>
 #include <teapath/scene/enum_tables.h>
@@ -77,6 +78,25 @@ void stop_rows(PropertyRows<RenderSettings>& rows) {
          .unit = " s",
          .relative = true},
         [](auto& r) -> auto& { return r.seconds; });
+}
+
+void denoise_rows(PropertyRows<RenderSettings>& rows) {
+    static const std::string missing = Denoiser::why_missing();
+    if (!missing.empty()) {
+        ui::row_text("Denoise", "not here", missing.c_str());
+        return;
+    }
+    rows.toggle(
+        "Denoise", "Takes the noise away from what is shown and saved; the render goes on",
+        [](auto& r) -> auto& { return r.denoise; });
+    if (rows.active().denoise)
+        rows.number(
+            {.name = "Strength",
+             .help = "From the noisy picture to the one without noise",
+             .speed = 0.003,
+             .low = 0,
+             .high = 1},
+            [](auto& r) -> auto& { return r.denoise_strength; });
 }
 
 void path_rows(PropertyRows<RenderSettings>& rows) {
@@ -186,6 +206,7 @@ void draw_sampling(PanelContext& c) {
     PropertyRows<RenderSettings> rows = render_rows(c, scene);
     if (!ui::begin_rows("sampling")) return;
     stop_rows(rows);
+    denoise_rows(rows);
     path_rows(rows);
     random_rows(rows);
     ui::end_rows();
