@@ -68,10 +68,10 @@ public:
     /// Draws frames outside of `run`, with the events of the system.
     void frames(int count = 1);
     /// Draws frames until `done` holds; false if it does not within `seconds`.
-    bool frames_until(const std::function<bool()>& done, double seconds = 20);
+    bool frames_until(const std::function<bool()>& done, double seconds = 60);
     /// The same inside of `run`.
     static bool yield_until(ImGuiTestContext* ctx, const std::function<bool()>& done,
-                            double seconds = 20);
+                            double seconds = 60);
 
     /// Clicks the menu item of an action, in a submenu too.
     static void click_menu(ImGuiTestContext* ctx, const Action& action);
