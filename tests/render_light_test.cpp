@@ -1,6 +1,7 @@
 // Light in pictures: skies and suns by their irradiance, cones, what is hidden from some rays,
 // limits of radiance, lights behind what is half transparent.
 #include "device/sky_image.h"
+#include "support/meshes.h"
 #include "support/scene_maker.h"
 
 #include <teapath/core/color.h>
@@ -206,6 +207,22 @@ TEST_CASE("light sampling and chance agree behind what is half transparent") {
         maker.scene.objects.edit().back().camera_visible = false;
         maker.path().light_sampling = sampling;
         maker.path().max_depth = 4;
+        return mean(render(maker.scene, sampling ? 256 : 2048));
+    };
+    CHECK(picture(true) == doctest::Approx(picture(false)).epsilon(0.01));
+}
+
+TEST_CASE("a lamp before a mesh is told from the triangle that was met behind it") {
+    const auto picture = [](bool sampling) {
+        SceneMaker maker = sheet(0.7);
+        // Rays that reach the lamp have often met the mesh before: it is larger, and around it.
+        maker.object(mesh_shape(ball_mesh(5)), maker.lambertian(0.5)).transform = {
+            {0, 2.5, 0}, {0, 0, 0}, Double3(0.9)};
+        for (const double x : {-1.2, 0.0, 1.2})
+            maker.sphere({x, 1.2, 0}, 0.35, maker.light(3)).camera_visible = false;
+        maker.scene.objects.edit()[1].camera_visible = false;
+        maker.path().light_sampling = sampling;
+        maker.path().max_depth = 3;
         return mean(render(maker.scene, sampling ? 256 : 2048));
     };
     CHECK(picture(true) == doctest::Approx(picture(false)).epsilon(0.01));

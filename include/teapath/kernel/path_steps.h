@@ -189,7 +189,9 @@ TP_HD Real emission_weight(const LaunchParams& params, const PathState& path, co
     const SceneView& scene = params.scene;
     if (!(path.bsdf_pdf > 0) || !params.settings.light_sampling || hittable.light == kNoLight)
         return 1;
-    const uint32_t light = hittable.light + hit.primitive;
+    // Of other shapes than meshes a hit keeps the triangle of what it met before.
+    const bool is_mesh = (kFeatures & kFeatureMeshes) != 0 && hittable.kind == HittableKind::Mesh;
+    const uint32_t light = hittable.light + (is_mesh ? hit.primitive : 0);
     const Real pdf =
         light_probability(scene, params.settings.light_rule, light, path.last, path.last_normal) *
         (1 - environment_share<kFeatures>(scene)) *
