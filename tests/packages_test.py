@@ -35,7 +35,7 @@ WHEELS = {
     "scripts/denoiser_wheels.txt": {"pyoidn"},
     "scripts/window_dependencies.txt": {"imgui-bundle"},
     "scripts/window_tools.txt": {"scikit-build-core", "packaging", "pathspec", "glad2", "jinja2", "markupsafe"},
-    "tests/tools/requirements.txt": {"numpy", "openexr"},
+    "tests/tools/requirements.txt": {"numpy", "openexr", "flip-evaluator"},
 }
 # First folder or name of an #include <…> with an extension or a folder, beside the standard library's.
 INCLUDES = {"teapath", "glm", "stb", "spdlog", "fmt", "nlohmann", "CLI", "doctest", "cub", "thrust", "cuda", "GLFW",
@@ -91,7 +91,8 @@ class Packages(unittest.TestCase):
         notices = read("THIRD_PARTY_NOTICES.md")
         for _, name in LIBRARIES.values():
             self.assertIn(name, notices)
-        for name in ("CUDA Toolkit", "Thrust", "GLFW", "glad", "Dear ImGui", "ImGuizmo", "ImPlot", "NumPy"):
+        for name in ("CUDA Toolkit", "Thrust", "GLFW", "glad", "Dear ImGui", "ImGuizmo", "ImPlot",
+                     "Open Image Denoise", "FLIP", "NumPy"):
             self.assertIn(name, notices)
 
     def test_packages_from_pypi_are_those_of_the_list_and_pinned(self):
