@@ -43,6 +43,13 @@ double squared_error(const std::vector<float>& a, const std::vector<float>& b) {
     return sum;
 }
 
+FilmImage cleaned(FilmDenoiser& denoiser, const Session& session, double strength,
+                  DenoiseQuality quality) {
+    FilmImage film = session.film();
+    denoiser.clean(session, film, strength, quality);
+    return film;
+}
+
 }  // namespace
 
 TEST_CASE("denoiser: a picture of 16 samples comes closer to that of 1,024") {
@@ -55,13 +62,13 @@ TEST_CASE("denoiser: a picture of 16 samples comes closer to that of 1,024") {
     FilmDenoiser denoiser;
     const double before = squared_error(session.film().radiance, exact.radiance);
     for (const DenoiseQuality quality : {DenoiseQuality::Live, DenoiseQuality::Final}) {
-        const FilmImage clean = denoiser.film(session, 1, quality);
+        const FilmImage clean = cleaned(denoiser, session, 1, quality);
         CHECK(squared_error(clean.radiance, exact.radiance) < 0.25 * before);
     }
     // Half of the strength is the mean of both, none of it the noisy one.
-    const FilmImage clean = denoiser.film(session, 1, DenoiseQuality::Final);
-    const FilmImage half = denoiser.film(session, 0.5, DenoiseQuality::Final);
-    const FilmImage none = denoiser.film(session, 0, DenoiseQuality::Final);
+    const FilmImage clean = cleaned(denoiser, session, 1, DenoiseQuality::Final);
+    const FilmImage half = cleaned(denoiser, session, 0.5, DenoiseQuality::Final);
+    const FilmImage none = cleaned(denoiser, session, 0, DenoiseQuality::Final);
     const FilmImage noisy = session.film();
     CHECK(none.radiance == noisy.radiance);
     for (size_t i = 0; i < noisy.radiance.size(); i += 97)
@@ -129,13 +136,13 @@ TEST_CASE("denoiser: a film that is emptied has guides of its own") {
     REQUIRE(session.step(4));
     const uint64_t first = session.film_number();
     FilmDenoiser denoiser;
-    CHECK(denoiser.film(session, 1, DenoiseQuality::Live).samples == 4);
+    CHECK(cleaned(denoiser, session, 1, DenoiseQuality::Live).samples == 4);
     auto smaller = std::make_shared<Scene>(*scene);
     smaller->render.width = 40;
     session.sync(smaller);
     CHECK(session.film_number() != first);
     REQUIRE(session.step(2));
-    const FilmImage film = denoiser.film(session, 1, DenoiseQuality::Live);
+    const FilmImage film = cleaned(denoiser, session, 1, DenoiseQuality::Live);
     CHECK(film.width == 40);
     CHECK(film.radiance.size() == size_t{3} * 40 * 72);
     CHECK(session.guides(2).albedo.size() == film.radiance.size());

@@ -12,8 +12,8 @@ constexpr double kLeastPause = 0.1;  // seconds between two denoised pictures
 constexpr double kPauseShare = 2;    // and this many times as long as one takes
 
 DisplayImage denoised_image(FilmDenoiser& denoiser, const Session& session, const Scene& scene) {
-    const FilmImage film =
-        denoiser.film(session, scene.render.denoise_strength, DenoiseQuality::Live);
+    FilmImage film = session.film();
+    denoiser.clean(session, film, scene.render.denoise_strength, DenoiseQuality::Live);
     return {film.width, film.height, film.samples, display_bytes(film, scene.display, 4), nullptr};
 }
 

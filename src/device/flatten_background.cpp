@@ -54,6 +54,7 @@ void flatten_background(const Background& b, TexturePacker& textures, SceneArray
     record = {};
     record.kind = b.kind;
     record.scale = Vec3(Double3(b.strength));
+    set_rotation(b.rotation, record);
     arrays.environment = nullptr;
     switch (b.kind) {
         case BackgroundKind::Constant: record.bottom = Vec3(b.color); break;
@@ -64,7 +65,6 @@ void flatten_background(const Background& b, TexturePacker& textures, SceneArray
         case BackgroundKind::Image:
             record.scale *= Vec3(b.tint);
             record.texture = textures.add_image(b.file.image, b.color_space);
-            set_rotation(b.rotation, record);
             if (b.file.image)
                 arrays.environment =
                     environment_of(b.file.image, is_srgb(*b.file.image, b.color_space));
@@ -76,10 +76,8 @@ void flatten_background(const Background& b, TexturePacker& textures, SceneArray
     }
     record.backdrop = b.backdrop;
     record.backdrop_color = Vec3(b.backdrop_color);
-    if (b.backdrop == BackdropKind::Image) {
-        if (b.kind != BackgroundKind::Sky) set_rotation(b.rotation, record);
+    if (b.backdrop == BackdropKind::Image)
         record.backdrop_texture = textures.add_image(b.backdrop_file.image, b.color_space);
-    }
 }
 
 }  // namespace tp

@@ -12,20 +12,19 @@ constexpr int64_t kLiveGuides = 4, kFinalGuides = 64;
 
 }  // namespace
 
-FilmImage FilmDenoiser::film(const Session& session, double strength, DenoiseQuality quality) {
-    FilmImage film = session.film();
-    if (!(strength > 0) || film.samples == 0) return film;
+void FilmDenoiser::clean(const Session& session, FilmImage& film, double strength,
+                         DenoiseQuality quality) {
+    if (!(strength > 0) || film.samples == 0) return;
     if (!denoiser_) denoiser_.emplace(session.backend_kind() == BackendKind::Cuda);
     const int64_t wanted = quality == DenoiseQuality::Final ? kFinalGuides : kLiveGuides;
     if (!guides_ || guides_->samples < wanted || guided_film_ != session.film_number())
         guides_ = session.guides(wanted);
     guided_film_ = session.film_number();
-    const std::vector<float> clean = denoiser_->run(
+    const std::vector<float> without = denoiser_->run(
         {film.width, film.height, film.radiance, guides_->albedo, guides_->normal}, quality);
     const auto share = static_cast<float>(std::min(strength, 1.0));
-    for (size_t i = 0; i < clean.size(); ++i)
-        film.radiance[i] += (clean[i] - film.radiance[i]) * share;
-    return film;
+    for (size_t i = 0; i < without.size(); ++i)
+        film.radiance[i] += (without[i] - film.radiance[i]) * share;
 }
 
 std::vector<uint8_t> display_bytes(const FilmImage& film, const DisplaySettings& display,

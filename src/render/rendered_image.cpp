@@ -98,12 +98,13 @@ void denoise(const Session& session, const Scene& scene, RenderedImage& image) {
     if (!scene.render.denoise || !(scene.render.denoise_strength > 0)) return;
     try {
         FilmDenoiser denoiser;
-        FilmImage clean =
-            denoiser.film(session, scene.render.denoise_strength, DenoiseQuality::Final);
-        if (!image.display.empty()) image.display = display_bytes(clean, scene.display, 3);
+        FilmImage film = image.film.radiance.empty() ? session.film() : image.film;
+        std::vector<float> noisy = film.radiance;
+        denoiser.clean(session, film, scene.render.denoise_strength, DenoiseQuality::Final);
+        if (!image.display.empty()) image.display = display_bytes(film, scene.display, 3);
         if (!image.film.radiance.empty()) {
-            image.noisy = std::move(image.film.radiance);
-            image.film.radiance = std::move(clean.radiance);
+            image.film = std::move(film);
+            image.noisy = std::move(noisy);
         }
         image.metadata["denoiser"] = denoiser.name();
     } catch (const Error& error) {

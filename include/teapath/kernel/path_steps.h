@@ -189,9 +189,7 @@ TP_HD Real emission_weight(const LaunchParams& params, const PathState& path, co
     const SceneView& scene = params.scene;
     if (!(path.bsdf_pdf > 0) || !params.settings.light_sampling || hittable.light == kNoLight)
         return 1;
-    // Of other shapes than meshes a hit keeps the triangle of what it met before.
-    const bool is_mesh = (kFeatures & kFeatureMeshes) != 0 && hittable.kind == HittableKind::Mesh;
-    const uint32_t light = hittable.light + (is_mesh ? hit.primitive : 0);
+    const uint32_t light = hittable.light + hit.primitive;
     const Real pdf =
         light_probability(scene, params.settings.light_rule, light, path.last, path.last_normal) *
         (1 - environment_share<kFeatures>(scene)) *
@@ -298,7 +296,8 @@ TP_HD bool shade(const LaunchParams& params, const Sampler& sampler, const Hit& 
     const Bsdf bsdf =
         make_bsdf<kFeatures>(scene, material, Vec3(color), s, wo, settings.scatter, channel);
     if constexpr ((kFeatures & kFeatureLights) != 0) {
-        if (settings.light_sampling && !is_specular(bsdf))
+        const bool has_lights = !scene.lights.empty() || aims_at_environment<kFeatures>(scene);
+        if (settings.light_sampling && has_lights && !is_specular(bsdf))
             sample_light<kFeatures>(params, sampler, path, s, bsdf, wo, shadow);
     }
 

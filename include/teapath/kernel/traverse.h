@@ -48,7 +48,10 @@ TP_HD bool intersect_one(const SceneView& scene, uint32_t i, Vec3 origin, Vec3 d
         met = intersect(h, origin, direction, hit.t, hit);
     else
         met = intersect(h.sphere, origin, direction, hit.t, hit);
-    if (met) hit.index = i;
+    if (met) {
+        hit.index = i;
+        hit.primitive = 0;
+    }
     return met;
 }
 

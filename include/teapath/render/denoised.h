@@ -16,9 +16,9 @@ namespace tp {
 /// Keeps the denoiser and what guides it between pictures of one film. One thread uses it.
 class FilmDenoiser {
 public:
-    /// The session's film with denoised radiance; `strength` 0 to 1 blends from the noisy one.
-    /// Throws Error(Device) where there is no denoiser or it fails.
-    FilmImage film(const Session& session, double strength, DenoiseQuality quality);
+    /// Takes the noise out of the radiance of the session's film; `strength` 0 to 1 blends from the
+    /// noisy one. Throws Error(Device) where there is no denoiser or it fails.
+    void clean(const Session& session, FilmImage& film, double strength, DenoiseQuality quality);
 
     std::string name() const { return denoiser_ ? denoiser_->name() : std::string(); }
 

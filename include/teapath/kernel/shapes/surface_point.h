@@ -11,7 +11,7 @@ struct Hit {
     Real t = kInfinity;           // distance along the unit direction
     Real u = 0, v = 0;            // coordinates inside a flat shape or triangle; else unused
     uint32_t index = 0xffffffff;  // of the hittable; kNoHit = none
-    uint32_t primitive = 0;       // triangle of a mesh
+    uint32_t primitive = 0;       // triangle of a mesh, else 0
 };
 inline constexpr uint32_t kNoHit = 0xffffffff;
 
