@@ -183,7 +183,12 @@ void RenderWorker::work(Session& session) {
         {
             std::unique_lock lock(mutex_);
             status_.backend = session.backend_name();
-            const auto idle = [&] { return paused_ || !current_.scene || is_finished(session); };
+            // A step that was cancelled leaves the film empty: while paused it still has its one
+            // sample to make.
+            const auto idle = [&] {
+                const bool holds = paused_ && session.samples() > 0;
+                return holds || !current_.scene || is_finished(session);
+            };
             const auto has_tasks = [&] {
                 return !tasks_.empty() && divider_ == 1 && session.samples() > 0;
             };
