@@ -3,6 +3,7 @@
 // The x axis is red, the z axis blue.
 layout(location = 1) uniform vec3 u_eye;
 layout(location = 2) uniform mat3 u_ray;       // direction for v_uv.x, for v_uv.y, and at (0, 0)
+layout(location = 8) uniform mat3 u_start;     // the same of where rays start, from the eye
 layout(location = 5) uniform float u_step;     // between the finest lines, in scene units
 layout(location = 6) uniform float u_fading;   // 0 to 1: how far the finest lines have gone
 layout(location = 7) uniform vec2 u_eye_rest;  // x and z of the eye within a square of 100 steps
@@ -19,8 +20,9 @@ float lines(vec2 p, vec2 width) {
 
 void main() {
     const vec3 direction = u_ray * vec3(v_uv, 1);
-    const float t = -u_eye.y / direction.y;
-    const vec2 along = direction.xz * t;
+    const vec3 start = u_start * vec3(v_uv, 1);
+    const float t = -(u_eye.y + start.y) / direction.y;
+    const vec2 along = start.xz + direction.xz * t;
     const vec2 width = max(fwidth(along), vec2(1e-5 * u_step));
     if (!(t > 0)) discard;
 

@@ -2,6 +2,7 @@
 // point of the picture is in the form exactly where its ray meets the object.
 #include "app/fly_camera.h"
 #include "app/viewport/outline.h"
+#include "app/viewport/projection.h"
 #include "support/scene_maker.h"
 
 #include <teapath/device/pick.h>
@@ -123,20 +124,67 @@ TEST_CASE("the outline's form of every shape is where rays meet it, placed and s
 TEST_CASE("clip space of the outline is that of the picture's rays") {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < 200; ++trial) {
         Camera camera;
         camera.look_from = Double3(unit(random), unit(random), unit(random)) * 10.0;
         camera.look_at = Double3(unit(random), unit(random), unit(random));
         camera.vertical_fov = 1 + 119 * std::abs(unit(random));
+        camera.film_height = 1 + 5 * std::abs(unit(random));
+        camera.shift = Double2(unit(random), unit(random)) * 0.5;
+        if (trial % 2 == 1) camera.projection = ProjectionKind::Orthographic;
         const Double2 p(std::abs(unit(random)), std::abs(unit(random)));
         const ViewRay ray = view_ray(camera, kAspect, p.x, p.y);
         const double t = 0.1 + 5 * std::abs(unit(random));
-        const Double4 clip =
-            clip_from_world(camera, kAspect) * Double4(ray.origin + ray.direction * t, 1);
-        CHECK(clip.x / clip.w == doctest::Approx(2 * p.x - 1).epsilon(1e-9));
-        CHECK(clip.y / clip.w == doctest::Approx(1 - 2 * p.y).epsilon(1e-9));
-        CHECK(clip.w == doctest::Approx(t * glm::dot(ray.direction, axes_of(camera).forward)));
+        const Double3 point = ray.origin + ray.direction * t;
+        const Double4 clip = clip_from_world(camera, kAspect) * Double4(point, 1);
+        const double depth = glm::dot(point - camera.look_from, axes_of(camera).forward);
+        CHECK(clip.x / clip.w == doctest::Approx(2 * p.x - 1).epsilon(2e-4));
+        CHECK(clip.y / clip.w == doctest::Approx(1 - 2 * p.y).epsilon(2e-4));
+        CHECK(clip.z == doctest::Approx(depth));
+        CHECK(clip.w == doctest::Approx(trial % 2 == 1 ? 1 : depth));
+
+        const FilmPlane film = film_plane(camera, kAspect);
+        const Double3 on_film = film.corner + film.right * p.x + film.down * p.y;
+        const Double3 start = trial % 2 == 1 ? ray.origin - camera.look_from : ray.direction;
+        const Double3 wanted = trial % 2 == 1 ? on_film : glm::normalize(on_film);
+        CHECK(glm::distance(start, wanted) < 1e-5);
     }
+}
+
+TEST_CASE(
+    "rays of the picture begin and end at the clip planes, and miss beside a fisheye's film") {
+    Camera camera;
+    camera.look_from = {0, 0, 5};
+    camera.near_clip = 2;
+    camera.far_clip = 7;
+    ViewRay ray = view_ray(camera, 1, 0.9, 0.2);
+    CHECK(ray.origin.z == doctest::Approx(3));
+    CHECK((ray.origin + ray.direction * ray.t_max).z == doctest::Approx(-2));
+    camera.projection = ProjectionKind::Fisheye;
+    camera.vertical_fov = 180;
+    CHECK(view_ray(camera, 1, 0.5, 0.02).t_max > 0);
+    CHECK(view_ray(camera, 1, 0.02, 0.02).t_max == 0);
+    CHECK_FALSE(keeps_lines_straight(camera));
+    CHECK(keeps_lines_straight(Camera{}));
+}
+
+TEST_CASE("the wheel and framing know the projection") {
+    Camera camera;
+    camera.projection = ProjectionKind::Orthographic;
+    CHECK(widened(camera, -1).film_height < camera.film_height);
+    CHECK(widened(widened(camera, -1), 1).film_height == doctest::Approx(camera.film_height));
+    const Camera framed = frame(camera, {1, 2, 3}, 5, 0.5);
+    CHECK(framed.film_height == doctest::Approx(24));
+    CHECK(framed.look_at == Double3(1, 2, 3));
+    CHECK(glm::distance(framed.look_from, framed.look_at) >= 10);
+    CHECK(seen_height(camera, 100) == camera.film_height);
+
+    camera.projection = ProjectionKind::Fisheye;
+    camera.vertical_fov = 180;
+    CHECK(widened(camera, 5).vertical_fov == 185);
+    CHECK(seen_height(camera, 1) > 0);
+    camera.projection = ProjectionKind::Equirectangular;
+    CHECK(widened(camera, 5) == camera);
 }
 
 TEST_CASE(

@@ -230,3 +230,11 @@ TEST_CASE("principled: without compensation it is glTF's appendix B") {
                       doctest::Approx(wanted[channel]).epsilon(1e-4));
         }
 }
+
+TEST_CASE("sheen: a cosine that rounding has left above 1 is no trouble") {
+    for (const Real alpha : {kLeastSheenAlpha, Real(0.1), Real(0.5), Real(1)}) {
+        const Real above = 1 + 2 * kEpsilon;
+        CHECK(sheen_lambda(above, alpha) == doctest::Approx(sheen_lambda(1, alpha)).epsilon(0.01));
+        CHECK(std::isfinite(sheen_reflection(alpha, {0, 0, above}, {0, 0, above})));
+    }
+}

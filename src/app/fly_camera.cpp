@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180;
 constexpr double kPoleDegrees = 1;  // how near to straight up or down one may look
-constexpr double kLowestFov = 1, kHighestFov = 120;
+constexpr double kLowestFov = 1, kHighestFov = 120, kHighestFisheyeFov = 360;
+constexpr double kFilmGrowth = 1.02;  // of an orthographic film, a degree
 // Look distances, in scene units and for each unit that the camera is away from the origin: below
 // them look_at and look_from would become one by rounding.
 constexpr double kLeastDistance = 1e-6, kLeastDistanceFarAway = 1e-8;
@@ -93,7 +94,7 @@ Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitc
 
 Camera pan(const Camera& camera, const Double2& pixels, double height, double depth) {
     const CameraAxes axes = axes_of(camera);
-    const double unit = 2 * depth * std::tan(camera.vertical_fov * kRadians / 2) / height;
+    const double unit = seen_height(camera, depth) / height;
     const Double3 shift = (axes.up * pixels.y - axes.right * pixels.x) * unit;
     Camera moved = camera;
     moved.look_from += shift;
@@ -101,29 +102,43 @@ Camera pan(const Camera& camera, const Double2& pixels, double height, double de
     return if_possible(moved, camera);
 }
 
+double seen_height(const Camera& camera, double distance) {
+    double degrees = camera.vertical_fov;
+    switch (camera.projection) {
+        case ProjectionKind::Orthographic: return camera.film_height;
+        case ProjectionKind::Fisheye: degrees = std::min(degrees, kHighestFov); break;
+        case ProjectionKind::Equirectangular: degrees = kHighestFov; break;
+        case ProjectionKind::Perspective: break;
+    }
+    return 2 * distance * std::tan(degrees * kRadians / 2);
+}
+
 Camera widened(const Camera& camera, double degrees) {
     Camera moved = camera;
-    const double fov = camera.vertical_fov;
-    moved.vertical_fov =
-        std::clamp(fov + degrees, std::min(fov, kLowestFov), std::max(fov, kHighestFov));
+    if (camera.projection == ProjectionKind::Orthographic) {
+        moved.film_height *= std::pow(kFilmGrowth, degrees);
+    } else if (camera.projection != ProjectionKind::Equirectangular) {
+        const double fov = camera.vertical_fov;
+        const double highest =
+            camera.projection == ProjectionKind::Fisheye ? kHighestFisheyeFov : kHighestFov;
+        moved.vertical_fov =
+            std::clamp(fov + degrees, std::min(fov, kLowestFov), std::max(fov, highest));
+    }
     return if_possible(moved, camera);
 }
 
 Camera frame(const Camera& camera, const Double3& center, double radius, double aspect) {
+    constexpr double kMargin = 1.2;
     Camera moved = camera;
-    const double half = std::tan(camera.vertical_fov * kRadians / 2) * std::min(1.0, aspect);
-    const double distance = 1.2 * radius / std::sin(std::atan(half));
+    const double narrow = std::min(1.0, aspect);
+    double distance = kMargin * radius / std::sin(std::atan(seen_height(camera, 0.5) * narrow));
+    if (camera.projection == ProjectionKind::Orthographic) {
+        moved.film_height = 2 * kMargin * radius / narrow;
+        distance = std::max(glm::distance(camera.look_from, camera.look_at), 2 * radius);
+    }
     moved.look_at = center;
     moved.look_from = center - axes_of(camera).forward * distance;
     return if_possible(moved, camera);
-}
-
-ViewRay view_ray(const Camera& camera, double aspect, double x, double y) {
-    const CameraAxes axes = axes_of(camera);
-    const double half = std::tan(camera.vertical_fov * kRadians / 2);
-    return {camera.look_from,
-            glm::normalize(axes.forward + axes.right * ((2 * x - 1) * half * aspect) +
-                           axes.up * ((1 - 2 * y) * half))};
 }
 
 }  // namespace tp

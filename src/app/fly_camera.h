@@ -31,18 +31,17 @@ Camera orbit(const Camera& camera, const Double3& pivot, double yaw, double pitc
 /// pointer that moved by `pixels` (to the right and down) on a picture `height` pixels high.
 Camera pan(const Camera& camera, const Double2& pixels, double height, double depth);
 
-/// The field of view changed by degrees, within 1 to 120; a value outside is not pushed further.
+/// How much of the scene the height of the picture shows at that distance along the view axis, in
+/// scene units; of panoramas that show more than 120 degrees, within those.
+double seen_height(const Camera& camera, double distance);
+
+/// The field of view changed by degrees, within 1 to 120, of a fisheye to 360; a value outside is
+/// not pushed further. Orthographic: the film grows by 2 percent a degree. Equirectangular:
+/// nothing.
 Camera widened(const Camera& camera, double degrees);
 
 /// The camera moved so that a sphere fills a view of this width over height, from where it looks
 /// now.
 Camera frame(const Camera& camera, const Double3& center, double radius, double aspect = 1);
-
-/// The ray through (x, y) of [0, 1]^2 of the picture, (0, 0) at its top left: it starts at the
-/// middle of the lens; `direction` is a unit vector.
-struct ViewRay {
-    Double3 origin, direction;
-};
-ViewRay view_ray(const Camera& camera, double aspect, double x, double y);
 
 }  // namespace tp

@@ -1,11 +1,11 @@
 // From the document to the flat arrays, part by part.
-#include "flatten_camera.h"
 #include "flatten_materials.h"
 #include "flatten_meshes.h"
 #include "flatten_shapes.h"
 
 #include <teapath/core/parallel.h>
 #include <teapath/device/bvh_build.h>
+#include <teapath/device/camera_record.h>
 #include <teapath/device/light_build.h>
 #include <teapath/device/scene_arrays.h>
 
@@ -82,7 +82,8 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
 }
 
 void flatten_parameters(const Scene& scene, SceneArrays& arrays) {
-    arrays.camera = flatten_camera(scene);
+    arrays.camera = camera_record(active_camera(scene),
+                                  static_cast<double>(scene.render.width) / scene.render.height);
     arrays.settings = scene.render.path;
     if (arrays.settings.integrator == IntegratorKind::Book) {
         arrays.settings.light_sampling = false;

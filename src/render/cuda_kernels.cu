@@ -49,8 +49,12 @@ __global__ void __launch_bounds__(kTraceThreads)
         return;
     const uint32_t pixel = y * static_cast<uint32_t>(params.width) + x;
     FeatureSum sum = sums[pixel];
-    for (int64_t s = first; s < last; ++s)
+    for (int64_t s = first; s < last; ++s) {
         add_features<kFeatures>(params, x, y, static_cast<uint64_t>(s), sum);
+        // All lanes go round this loop equally often, so the compiler (CUDA 13.0) keeps what it
+        // needs in uniform registers, and lanes that run ahead would overwrite them for the others.
+        __syncwarp();
+    }
     sums[pixel] = sum;
 }
 

@@ -1,6 +1,7 @@
 // What the shaders draw in the viewport, pixel by pixel: picture, ground grid, outline.
 #include "fly_camera.h"
 #include "viewport/outline.h"
+#include "viewport/projection.h"
 #include "window_test.h"
 
 #include <teapath/device/pick.h>
@@ -141,7 +142,9 @@ TEST_CASE("layers: T5: a checker comes back from the screen square by square") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("layers: outlines are exactly where rays meet another object than beside") {
+namespace {
+
+void check_outlines(const Camera& view) {
     Scene scene = small_scene();
     Object box;
     box.id = {5};
@@ -157,6 +160,7 @@ TEST_CASE("layers: outlines are exactly where rays meet another object than besi
     disk.shape = DiskShape{{-0.7, 1.4, 0.3}, {0.3, 0.2, 1}, 0.5};
     disk.transform = {};
     scene.objects.edit().push_back(disk);
+    scene.cameras = {view};
     WindowTest t(scene);
     t.app->document.edit("Add", "", [](Scene& s) { s.objects.edit().push_back(octahedron(7)); });
     settle(t);
@@ -201,6 +205,21 @@ TEST_CASE("layers: outlines are exactly where rays meet another object than besi
     // Rounding decides for single pixels.
     CHECK(missing <= lines / 200);
     CHECK(wrong <= lines / 200);
+}
+
+}  // namespace
+
+TEST_CASE("layers: outlines are exactly where rays meet another object than beside") {
+    check_outlines(small_scene().cameras[0]);
+}
+
+TEST_CASE("layers: outlines, with a shifted film and with parallel rays") {
+    Camera camera = small_scene().cameras[0];
+    camera.shift = {0.08, -0.05};
+    check_outlines(camera);
+    camera.projection = ProjectionKind::Orthographic;
+    camera.film_height = 4;
+    check_outlines(camera);
 }
 
 TEST_CASE("layers: the ground grid's axes lie where the ground's points are seen") {

@@ -1,4 +1,5 @@
 // Meshes and models from files, as parts of the scene.
+#include "../fly_camera.h"
 #include "../place_in_view.h"
 #include "dialogs.h"
 #include "file_question.h"
@@ -22,8 +23,7 @@ namespace fs = std::filesystem;
 // proportion to that, else as large as the file has it.
 Transform placed_in_view(const Scene& scene, const Double3& low, const Double3& high) {
     const Place place = place_in_view(scene);
-    const double half = active_camera(scene).vertical_fov / 2 * 3.14159265358979323846 / 180;
-    const double seen = place.distance * std::tan(half);
+    const double seen = seen_height(active_camera(scene), place.distance) / 2;
     const double size = std::max(glm::length(high - low), 1e-9);
     const bool fits = size > 0.05 * seen && size < 2 * seen;
     const double scale = fits ? 1 : std::pow(10, std::round(std::log10(0.5 * seen / size)));

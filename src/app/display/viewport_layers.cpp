@@ -1,6 +1,7 @@
 #include "viewport_layers.h"
 
 #include "../fly_camera.h"
+#include "../viewport/projection.h"
 #include "gl_program.h"
 #include "outline_meshes.h"
 
@@ -16,7 +17,6 @@
 namespace tp {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180;
 constexpr float kOutlineColor[3] = {232 / 255.0f, 163 / 255.0f, 61 / 255.0f};
 constexpr GLsizei kQuadVertices = 6, kCubeVertices = 36;
 
@@ -40,16 +40,16 @@ PixelRect visible(const LayerFrame& frame, const Double2& framebuffer) {
 // As the shaders know it.
 struct alignas(16) GpuPart {
     glm::mat4 clip_from_unit;
-    glm::vec4 eye_in_unit;
+    glm::vec4 eye_in_unit;  // w 1: where rays start; w 0: where they all go
     glm::uvec4 form;
 };
 
-GpuPart gpu_part(const OutlinePart& part, const DoubleMat4& clip_from_world, const Double3& eye) {
+GpuPart gpu_part(const OutlinePart& part, const DoubleMat4& clip_from_world, const Double4& eye) {
     GpuPart result;
     result.clip_from_unit = glm::mat4(clip_from_world * part.world_from_unit);
     result.eye_in_unit = glm::vec4(0);
     if (part.form == OutlineForm::Ball)
-        result.eye_in_unit = glm::vec4(glm::inverse(part.world_from_unit) * Double4(eye, 1));
+        result.eye_in_unit = glm::vec4(glm::inverse(part.world_from_unit) * eye);
     result.form = glm::uvec4(static_cast<uint32_t>(part.form));
     return result;
 }
@@ -157,12 +157,14 @@ void ViewportLayers::draw() {
     const PixelRect& seen = gl_->seen;
     if (seen.empty()) return;
     glBindVertexArray(gl_->vertices);
-    if (!frame_.selection.empty()) trace_selection();
+    const bool is_straight = keeps_lines_straight(frame_.camera);
+    const bool has_outline = is_straight && !frame_.selection.empty();
+    if (has_outline) trace_selection();
     gl_->meshes.end_frame();
     glScissor(seen.x, viewport[3] - seen.y - seen.height, seen.width, seen.height);
     if (frame_.texture) draw_picture();
-    if (frame_.has_ground_grid) draw_ground_grid();
-    if (!frame_.selection.empty()) draw_outline();
+    if (frame_.has_ground_grid && is_straight) draw_ground_grid();
+    if (has_outline) draw_outline();
 }
 
 void ViewportLayers::draw_picture() {
@@ -176,15 +178,15 @@ void ViewportLayers::draw_picture() {
 
 void ViewportLayers::draw_ground_grid() {
     const Camera& camera = frame_.camera;
-    const CameraAxes axes = axes_of(camera);
-    const double height = std::tan(camera.vertical_fov * kRadians / 2);
-    const double width = height * frame_.picture.size.x / frame_.picture.size.y;
-    const glm::mat3 ray(glm::vec3(axes.right * (2 * width)), glm::vec3(axes.up * (-2 * height)),
-                        glm::vec3(axes.forward - axes.right * width + axes.up * height));
+    const FilmPlane film = film_plane(camera, frame_.picture.size.x / frame_.picture.size.y);
+    const glm::mat3 over_film(glm::vec3(film.right), glm::vec3(film.down), glm::vec3(film.corner));
+    const bool is_parallel = camera.projection == ProjectionKind::Orthographic;
+    const glm::mat3 along(glm::vec3(0), glm::vec3(0), glm::vec3(axes_of(camera).forward));
 
     // Between fine lines: a power of ten, so that some ten of them are near the camera's foot.
     const Double3 eye = camera.look_from;
-    const double level = std::log10(std::max(std::abs(eye.y), 1e-6));
+    const double range = is_parallel ? camera.film_height / 2 : std::abs(eye.y);
+    const double level = std::log10(std::max(range, 1e-6));
     const double step = std::pow(10.0, std::floor(level));
     const Double2 foot(eye.x, eye.z);
     const Double2 rest = foot - glm::floor(foot / (100 * step)) * (100 * step);
@@ -192,7 +194,8 @@ void ViewportLayers::draw_ground_grid() {
     glUseProgram(gl_->ground_grid.id());
     const glm::vec3 place(eye);
     glUniform3fv(1, 1, glm::value_ptr(place));
-    glUniformMatrix3fv(2, 1, GL_FALSE, glm::value_ptr(ray));
+    glUniformMatrix3fv(2, 1, GL_FALSE, glm::value_ptr(is_parallel ? along : over_film));
+    glUniformMatrix3fv(8, 1, GL_FALSE, glm::value_ptr(is_parallel ? over_film : glm::mat3(0)));
     glUniform1f(5, static_cast<float>(step));
     glUniform1f(6, static_cast<float>(level - std::floor(level)));
     glUniform2f(7, static_cast<float>(rest.x), static_cast<float>(rest.y));
@@ -201,7 +204,9 @@ void ViewportLayers::draw_ground_grid() {
 
 void ViewportLayers::trace_selection() {
     const PixelRect& seen = gl_->seen;
-    const Double3 eye = frame_.camera.look_from;
+    const Double4 eye = frame_.camera.projection == ProjectionKind::Perspective
+                            ? Double4(frame_.camera.look_from, 1)
+                            : Double4(axes_of(frame_.camera).forward, 0);
     const double aspect = frame_.picture.size.x / frame_.picture.size.y;
     const DoubleMat4 clip =
         clip_from_picture(frame_.picture, seen) * clip_from_world(frame_.camera, aspect);

@@ -1,5 +1,5 @@
 // What the viewport shows under the interface, drawn by the shaders of shaders/: the picture with
-// its pixel grid, the ground grid, the outline of the selection.
+// its pixel grid, the ground grid, the outline of the selection; of panoramas the picture alone.
 #pragma once
 
 #include "../viewport/outline.h"

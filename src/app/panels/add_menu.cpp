@@ -1,6 +1,7 @@
 #include "add_menu.h"
 
 #include "../dialogs/dialogs.h"
+#include "../fly_camera.h"
 #include "../place_in_view.h"
 
 #include <teapath/editor/material_presets.h>
@@ -28,8 +29,7 @@ double height_below(const Shape& shape) {
 
 // A size that is well seen at that distance.
 double size_at(const Scene& scene, double distance) {
-    const double half = active_camera(scene).vertical_fov / 2 * 3.14159265358979323846 / 180;
-    const double wanted = 0.5 * distance * std::tan(half);
+    const double wanted = seen_height(active_camera(scene), distance) / 4;
     // Round numbers read better: 1, 2 or 5 times a power of ten.
     const double power = std::pow(10, std::floor(std::log10(wanted)));
     return power * (wanted / power < 2 ? 1 : wanted / power < 5 ? 2 : 5);

@@ -6,6 +6,7 @@
 // clang-format on
 
 #include "../fly_camera.h"
+#include "../viewport/projection.h"
 #include "../viewport/scene_extent.h"
 #include "viewport_parts.h"
 
@@ -19,7 +20,6 @@ namespace tp {
 namespace {
 
 constexpr float kGizmoSize = 0.14f;  // of the picture
-constexpr double kRadians = 3.14159265358979323846 / 180;
 
 GizmoKind kind_of(Tool tool) {
     return tool == Tool::Move     ? GizmoKind::Move
@@ -38,9 +38,15 @@ struct GizmoView {
 GizmoView gizmo_view(const Camera& camera, const ViewportFrame& frame, const Double3& place) {
     const CameraAxes axes = axes_of(camera);
     const double depth = std::max(1e-6, glm::distance(place, camera.look_from));
+    const double near = depth / 100, far = depth * 100;
+    const bool is_parallel = camera.projection == ProjectionKind::Orthographic;
+    const double height = seen_height(camera, near) / 2, width = height * frame.aspect();
+    const Double2 middle = Double2(width, height) * camera.shift * 2.0;
+    const double left = middle.x - width, right = middle.x + width, bottom = middle.y - height,
+                 top = middle.y + height;
     return {glm::mat4(glm::lookAt(camera.look_from, camera.look_from + axes.forward, axes.up)),
-            glm::mat4(glm::perspective(camera.vertical_fov * kRadians, frame.aspect(), depth / 100,
-                                       depth * 100))};
+            glm::mat4(is_parallel ? glm::ortho(left, right, bottom, top, -far, far)
+                                  : glm::frustum(left, right, bottom, top, near, far))};
 }
 
 // Shows the gizmo at `matrix`, which a drag changes. Returns true if it did.
@@ -57,6 +63,7 @@ bool manipulate(const ViewportState& v, const ViewportFrame& frame, const Camera
     const float snap[3] = {step, step, step};
     // Ctrl turns snapping round for as long as it is held.
     const bool snaps = v.snap != ImGui::GetIO().KeyCtrl;
+    ImGuizmo::SetOrthographic(camera.projection == ProjectionKind::Orthographic);
     ImGuizmo::SetDrawlist();
     ImGuizmo::SetGizmoSizeClipSpace(kGizmoSize);
     ImGuizmo::SetRect(
@@ -94,7 +101,8 @@ GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame) {
     const std::vector<const Object*> objects =
         selected_objects(c.document.scene(), c.document.selection);
     const bool is_gizmo_tool = v.tool != Tool::Select && v.tool != Tool::Focus;
-    if (!is_gizmo_tool || objects.empty()) {
+    const Camera camera = active_camera(c.document.scene());
+    if (!is_gizmo_tool || objects.empty() || !keeps_lines_straight(camera)) {
         if (std::exchange(drag.is_active, false)) c.document.end_merge();
         return {};
     }
@@ -109,7 +117,7 @@ GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame) {
         drag.is_active = false;
         matrix = drag.start;
     }
-    const bool changed = manipulate(v, frame, active_camera(c.document.scene()), matrix);
+    const bool changed = manipulate(v, frame, camera, matrix);
     GizmoUse use;
     use.is_over = ImGuizmo::IsOver() || ImGuizmo::IsUsing();
     if (ImGuizmo::IsUsing() && changed) {

@@ -1,6 +1,7 @@
 // From ImGui's keys and mouse to the camera and the selection.
 #include "../actions.h"
 #include "../fly_camera.h"
+#include "../viewport/projection.h"
 #include "../viewport/scene_extent.h"
 #include "viewport_parts.h"
 
@@ -80,12 +81,11 @@ void ask_pick(PanelContext& c, const ViewportFrame& frame, const Double2& at, in
     const Camera camera = active_camera(c.document.scene());
     const Double2 p = picture_point(frame.picture, at);
     const ViewRay ray = view_ray(camera, frame.aspect(), p.x, p.y);
-    const double cosine = glm::dot(ray.direction, axes_of(camera).forward);
     RenderWorker::PickQuery query;
     query.purpose = purpose;
-    query.origin = ray.origin + ray.direction * (camera.near_clip / cosine);
+    query.origin = ray.origin;
     query.direction = ray.direction;
-    if (camera.far_clip > 0) query.t_max = (camera.far_clip - camera.near_clip) / cosine;
+    query.t_max = ray.t_max;
     if (p.x < 0 || p.y < 0 || p.x >= 1 || p.y >= 1) query.t_max = 0;
     c.worker.request_pick(query);
 }

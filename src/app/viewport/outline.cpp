@@ -1,7 +1,5 @@
 #include "outline.h"
 
-#include "../fly_camera.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,7 +7,6 @@
 namespace tp {
 namespace {
 
-constexpr double kRadians = 3.14159265358979323846 / 180;
 constexpr double kLeastRadius = 1e-12;  // of a ball, so that it keeps an inverse
 
 // The place of a form whose axes and middle are these.
@@ -100,18 +97,6 @@ std::vector<OutlinePart> outline_parts(const std::vector<const Object*>& objects
         parts.push_back(outline_part(*object, is_too_fine));
     }
     return parts;
-}
-
-DoubleMat4 clip_from_world(const Camera& camera, double aspect) {
-    const CameraAxes axes = axes_of(camera);
-    const double half_height = std::tan(camera.vertical_fov * kRadians / 2);
-    const Double3 x = axes.right / (half_height * aspect), y = axes.up / half_height;
-    const Double3& w = axes.forward;
-    const Double3& eye = camera.look_from;
-    return {{x.x, y.x, 0, w.x},
-            {x.y, y.y, 0, w.y},
-            {x.z, y.z, 0, w.z},
-            {-glm::dot(x, eye), -glm::dot(y, eye), 0, -glm::dot(w, eye)}};
 }
 
 }  // namespace tp

@@ -2,7 +2,6 @@
 // world, which the shaders selection.vert and selection.frag trace pixel by pixel. Pure functions.
 #pragma once
 
-#include <teapath/scene/camera.h>
 #include <teapath/scene/object.h>
 
 #include <cstdint>
@@ -32,9 +31,5 @@ OutlinePart outline_part(const Object& object, bool box_for_mesh = false);
 /// Those of the visible ones. Meshes beyond that many triangles in all are boxes.
 std::vector<OutlinePart> outline_parts(const std::vector<const Object*>& objects,
                                        size_t most_triangles);
-
-/// From the world to clip space of a picture of this width over height: (-1, -1) is its lower left
-/// corner, w the distance along the view axis, z 0.
-DoubleMat4 clip_from_world(const Camera& camera, double aspect);
 
 }  // namespace tp

@@ -20,9 +20,9 @@ TP_HD Real sheen_exponent(Real x, Real alpha) {
     return a / (1 + b * std::pow(x, c)) + d * x + e;
 }
 TP_HD Real sheen_lambda(Real cosine, Real alpha) {
-    return cosine < Real(0.5)
-               ? std::exp(sheen_exponent(cosine, alpha))
-               : std::exp(2 * sheen_exponent(Real(0.5), alpha) - sheen_exponent(1 - cosine, alpha));
+    if (cosine < Real(0.5)) return std::exp(sheen_exponent(cosine, alpha));
+    const Real rest = max(1 - cosine, Real(0));  // a cosine may be above 1 by rounding
+    return std::exp(2 * sheen_exponent(Real(0.5), alpha) - sheen_exponent(rest, alpha));
 }
 
 /// The lobe of white fibres, times |cos(wi)|; both directions above the surface.

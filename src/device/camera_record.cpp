@@ -1,4 +1,6 @@
-#include "flatten_camera.h"
+#include <teapath/device/camera_record.h>
+
+#include <teapath/scene/scene.h>
 
 #include <cmath>
 
@@ -20,8 +22,7 @@ double half_height(const Camera& camera) {
 
 }  // namespace
 
-CameraRecord flatten_camera(const Scene& scene) {
-    const Camera camera = active_camera(scene);
+CameraRecord camera_record(const Camera& camera, double aspect) {
     const Double3 forward = glm::normalize(camera.look_at - camera.look_from);
     const Double3 right = glm::normalize(glm::cross(forward, camera.up));
     const double height = half_height(camera);
@@ -32,7 +33,7 @@ CameraRecord flatten_camera(const Scene& scene) {
     record.right = Vec3(right);
     record.up = Vec3(glm::cross(right, forward));
     record.half_height = static_cast<Real>(height);
-    record.half_width = static_cast<Real>(height * scene.render.width / scene.render.height);
+    record.half_width = static_cast<Real>(height * aspect);
     record.shift = Vec2(camera.shift * 2.0);
     record.lens_radius = static_cast<Real>(camera.aperture / 2);
     record.blades = camera.blades;
