@@ -144,6 +144,17 @@ TEST_CASE("gltf animation: only meshes that change their form are made anew") {
     CHECK(changed_parts(*a, *b) == SceneParts::Geometry);
     CHECK(changed_parts(*b, *b) == SceneParts::None);
 
+    // A change of something else keeps the objects as they are posed.
+    Scene brighter = scene;
+    brighter.render.time = 0.5;
+    const auto c = poser.pose(std::make_shared<const Scene>(brighter));
+    brighter.display.exposure = 1;
+    brighter.cameras[0].vertical_fov = 20;
+    const auto d = poser.pose(std::make_shared<const Scene>(brighter));
+    CHECK(&c->objects.items() == &d->objects.items());
+    CHECK(d->cameras[0].vertical_fov == 20);
+    CHECK(changed_parts(*c, *d) == SceneParts::Parameters);
+
     SessionOptions options;
     options.backend = BackendKind::Host;
     Session session(options);

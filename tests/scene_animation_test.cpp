@@ -94,6 +94,7 @@ TEST_CASE("animation: targets add, joints blend, mirrored meshes keep their fron
     d.skin.weights = {{{0.5f, 0.5f, 0, 0}, {1, 0, 0, 0}, {2, 0, 0, 0}}};
     CHECK(problem_of(d, 2) == "");
     CHECK(problem_of(d, 1) != "");
+    CHECK(d.bytes() > bytes_of(d.mesh));
 
     const Mesh morphed = deformed(d, {0.5, 1}, {}, true);
     CHECK(is_near(morphed.positions[2], {0, 1, 1.5}));

@@ -36,6 +36,11 @@ const ModelMotion* motion_of(const Model& model) {
     return model.content ? model.content->motion.get() : nullptr;
 }
 
+template <class T>
+bool same_list(const SharedList<T>& a, const SharedList<T>& b) {
+    return &a.items() == &b.items();
+}
+
 bool is_finite(const DoubleMat4& m) {
     for (int c = 0; c < 4; ++c)
         if (!std::isfinite(glm::dot(m[c], Double4(1)))) return false;
@@ -131,6 +136,14 @@ std::optional<DoubleMat4> PoseChanges::of(const Object& object) {
 
 std::shared_ptr<const Scene> ScenePoser::pose(std::shared_ptr<const Scene> scene) {
     if (scene == scene_) return posed_;
+    // A camera or a setting alone: what moved stands as before.
+    if (scene_ && posed_ != scene_ && scene->render.time == scene_->render.time &&
+        same_list(scene->models, scene_->models) && same_list(scene->objects, scene_->objects)) {
+        auto posed = std::make_shared<Scene>(*scene);
+        posed->objects = posed_->objects;
+        scene_ = std::move(scene);
+        return posed_ = std::move(posed);
+    }
     Forms forms;
     std::shared_ptr<Scene> posed;
     for (const Model& model : scene->models) {
