@@ -300,6 +300,10 @@ TEST_CASE("export: what cannot be exported is said before it starts") {
     settings.file = folder.path / "a.png";
     settings.motion = ExportMotion::Bookmarks;
     CHECK(why_not_exported(scene, settings).find("bookmarks") != std::string::npos);
+    settings.motion = ExportMotion::Animation;
+    CHECK(why_not_exported(scene, settings).find("animation") != std::string::npos);
+    settings.frames_per_second = 10;
+    CHECK(export_scene(scene, settings, 5).render.time == 0.5);
     settings.motion = ExportMotion::Still;
     settings.width = 65536;
     settings.height = 65536;

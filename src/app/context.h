@@ -72,6 +72,14 @@ struct ViewportState {
     GizmoDrag gizmo;
 };
 
+/// The play of the models' animations; the time itself is the scene's.
+struct TimelineState {
+    bool is_playing = false;
+    bool loops = true;
+    float frames_per_second = 24;  // the time goes in steps of one over it
+    double position = 0;           // seconds, between the steps, while it plays
+};
+
 struct SceneTreeState {
     std::string search;
     SceneTree rows;
@@ -176,6 +184,7 @@ struct UiState {
     bool paused = false;
     bool reset_layout = false;
     ViewportState viewport;
+    TimelineState timeline;
     SceneTreeState tree;
     ConsoleState console;
     MetricsState metrics;

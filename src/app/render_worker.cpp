@@ -51,7 +51,8 @@ void RenderWorker::set_scene(std::shared_ptr<const Scene> scene, int width, int 
     if (posted_.scene == scene && same_size) return;
     const auto restarts_film = [&] {
         return !posted_.scene || !same_size ||
-               changed_parts(*posted_.scene, *scene) != SceneParts::None;
+               changed_parts(*posted_.scene, *scene) != SceneParts::None ||
+               pose_differs(*posted_.scene, *scene);
     };
     // A long step at full resolution gives way to another film; a short one is let finish, so that
     // pictures come.
@@ -321,6 +322,7 @@ void RenderWorker::publish(Session& session, bool is_preview) {
     const std::lock_guard lock(mutex_);
     status_.display_ms = seconds_since(start) * 1e3;
     status_.scene = current_.scene;
+    status_.posed = session.posed_scene();
     status_.samples = session.samples();
     status_.width = rendered_->render.width;
     status_.height = rendered_->render.height;

@@ -23,6 +23,7 @@ namespace tp {
 
 struct RenderStatus {
     std::shared_ptr<const Scene> scene;  // that the newest picture shows
+    std::shared_ptr<const Scene> posed;  // the same at its time, as the picture has it
     std::string backend;
     std::string error;  // of the renderer, for people; empty if all is well
     int64_t samples = 0;

@@ -59,6 +59,14 @@ double parse_seconds(const std::string& option, const std::string& text) {
     return *value;
 }
 
+double parse_frame_rate(const std::string& option, const std::string& text) {
+    const auto value = number<double>(text);
+    if (!value || !(*value > 0.001) || !(*value <= 1e6))
+        throw Error(ErrorKind::Usage, fmt::format("'{}' is no number of frames", text), option,
+                    "give frames a second, as in 24 or 29.97");
+    return *value;
+}
+
 ImageSize parse_size(const std::string& option, const std::string& text) {
     const size_t cross = text.find_first_of("xX");
     const std::string width = text.substr(0, cross);
@@ -68,6 +76,22 @@ ImageSize parse_size(const std::string& option, const std::string& text) {
                     "give width and height in pixels, as in 1920x1080");
     return {static_cast<int>(parse_whole(option, width, 1, kMaxImageSide)),
             static_cast<int>(parse_whole(option, height, 1, kMaxImageSide))};
+}
+
+FrameRange parse_frames(const std::string& option, const std::string& text) {
+    constexpr int kLastFrame = 999'999;
+    const size_t dash = text.find('-');
+    const std::string first = text.substr(0, dash);
+    const std::string last = dash == std::string::npos ? first : text.substr(dash + 1);
+    if (!is_digits(first) || !is_digits(last))
+        throw Error(ErrorKind::Usage, fmt::format("'{}' is no range of frames", text), option,
+                    "give the first and the last, as in 0-47");
+    const FrameRange range{static_cast<int>(parse_whole(option, first, 0, kLastFrame)),
+                           static_cast<int>(parse_whole(option, last, 0, kLastFrame))};
+    if (range.last < range.first)
+        throw Error(ErrorKind::Usage, fmt::format("'{}' ends before it begins", text), option,
+                    "give the first and the last, as in 0-47");
+    return range;
 }
 
 uint64_t parse_seed(const std::string& option, const std::string& text) {

@@ -20,8 +20,20 @@ int64_t parse_whole(const std::string& option, const std::string& text, int64_t 
 /// Seconds above 0, fractions allowed.
 double parse_seconds(const std::string& option, const std::string& text);
 
+/// Frames a second above 0, fractions allowed.
+double parse_frame_rate(const std::string& option, const std::string& text);
+
 /// "1920x1080".
 ImageSize parse_size(const std::string& option, const std::string& text);
+
+/// Frames from the first to the last.
+struct FrameRange {
+    int first = 0, last = 0;
+    int count() const { return last - first + 1; }
+};
+
+/// "0-47", or one frame, "12"; from 0 to 999,999.
+FrameRange parse_frames(const std::string& option, const std::string& text);
 
 /// A whole number from 0 to 2^64 - 1, or "random": taken from the clock.
 uint64_t parse_seed(const std::string& option, const std::string& text);

@@ -9,6 +9,7 @@
 #include <teapath/device/devices.h>
 #include <teapath/io/scene_file.h>
 #include <teapath/scene/enum_tables.h>
+#include <teapath/scene/pose.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -70,6 +71,31 @@ std::string cameras_text(const Scene& scene) {
     return text;
 }
 
+// A line for each model that moves.
+std::string animations_text(const Scene& scene) {
+    std::string text;
+    for (const Model& model : scene.models) {
+        if (!model.content || !model.content->motion) continue;
+        std::string list;
+        for (const Animation& animation : model.content->motion->animations)
+            list += fmt::format("{}{} {:.2f} s", list.empty() ? "" : ", ", animation.name,
+                                animation.length);
+        text += line(text.empty() ? "Animations" : "", model.path + ": " + list);
+    }
+    return text;
+}
+
+Json animations_json(const Scene& scene) {
+    Json list = Json::array();
+    for (const Model& model : scene.models) {
+        if (!model.content || !model.content->motion) continue;
+        for (const Animation& animation : model.content->motion->animations)
+            list.push_back(
+                {{"model", model.path}, {"name", animation.name}, {"seconds", animation.length}});
+    }
+    return list;
+}
+
 std::string scene_text(const std::string& file, const Scene& scene, const SceneReport& report) {
     const RenderSettings& render = scene.render;
     std::string text = line("Scene", scene.name.empty() ? file : scene.name + " (" + file + ")");
@@ -89,6 +115,7 @@ std::string scene_text(const std::string& file, const Scene& scene, const SceneR
     text += line("Textures", counts_text(report.textures));
     for (const ImageReport& image : report.images)
         text += line("", image_text(image));
+    text += animations_text(scene);
     text += line("Background", enum_name(scene.background.kind));
     text += line("Lights", fmt::to_string(report.lights));
     text += line("Tree", fmt::format("{} nodes, {} levels, cost {:.2f}, built in {:.1f} ms",
@@ -147,6 +174,7 @@ Json scene_json(const std::string& file, const Scene& scene, const SceneReport& 
     json["images"] = Json::array();
     for (const ImageReport& image : report.images)
         json["images"].push_back(image_json(image));
+    json["animations"] = animations_json(scene);
     json["background"] = enum_name(scene.background.kind);
     json["lights"] = report.lights;
     json["tree"] = {{"nodes", report.tree_nodes},

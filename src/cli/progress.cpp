@@ -83,8 +83,16 @@ void Progress::update(int64_t done) {
     const std::lock_guard lock(mutex_);
     done_ = done;
     updated_seconds_ = seconds();
-    meter_.add(updated_seconds_, done);
+    meter_.add(updated_seconds_, done_before_ + done);
     if (style_ == ProgressStyle::Lines) print_line();
+}
+
+void Progress::begin_frame() {
+    const std::lock_guard lock(mutex_);
+    done_before_ += done_;
+    done_ = 0;
+    ++frame_;
+    frame_seconds_ = seconds();
 }
 
 ProgressFacts Progress::facts() const {
@@ -94,6 +102,8 @@ ProgressFacts Progress::facts() const {
     facts.done = done_;
     facts.target = goal_.samples;
     facts.stopping = stopping_();
+    facts.frame = frame_;
+    facts.frames = goal_.frames;
     facts.samples_per_second = rate * static_cast<double>(goal_.pixels);
 
     // Of the two limits, the one that comes first.
@@ -105,11 +115,20 @@ ProgressFacts Progress::facts() const {
         }
     }
     if (goal_.seconds > 0) {
-        const double left = std::max(0.0, goal_.seconds - now);
-        facts.share = std::max(facts.share, std::min(1.0, now / goal_.seconds));
+        const double spent = now - frame_seconds_;
+        const double left = std::max(0.0, goal_.seconds - spent);
+        facts.share = std::max(facts.share, std::min(1.0, spent / goal_.seconds));
         if (facts.seconds_left < 0 || left < facts.seconds_left) facts.seconds_left = left;
     }
+    if (goal_.frames > 0) add_frames(now, facts);
     return facts;
+}
+
+// From the frame under way to all of them: those to come take as long as those so far.
+void Progress::add_frames(double now, ProgressFacts& facts) const {
+    const double share = (std::max(0, frame_ - 1) + facts.share) / goal_.frames;
+    facts.share = share;
+    facts.seconds_left = share > 0 ? now * (1 - share) / share : -1;
 }
 
 void Progress::draw_until_stopped() {

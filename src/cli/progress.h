@@ -21,6 +21,7 @@ struct ProgressGoal {
     int64_t samples = 0;  // per pixel; 0 = no limit
     double seconds = 0;   // 0 = no limit
     int64_t pixels = 0;
+    int frames = 0;  // samples and seconds are those of each; 0 = one picture
 };
 
 /// A bar is drawn by a thread of its own, so that it lives through long steps.
@@ -33,14 +34,17 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// That many samples per pixel are done.
+    /// That many samples per pixel are done, of the frame under way.
     void update(int64_t done);
+    /// The next frame begins; to be called before the first one too.
+    void begin_frame();
 
     /// Seconds since the start.
     double seconds() const;
 
 private:
     ProgressFacts facts() const;
+    void add_frames(double now, ProgressFacts& facts) const;
     void draw_until_stopped();
     void draw_bar();
     void print_line();
@@ -53,7 +57,10 @@ private:
     mutable std::mutex mutex_;  // guards what follows
     std::condition_variable wake_;
     bool ended_ = false;
-    int64_t done_ = 0;
+    int64_t done_ = 0;         // of the frame under way
+    int64_t done_before_ = 0;  // of the frames before it
+    int frame_ = 0;            // from 1
+    double frame_seconds_ = 0;
     double updated_seconds_ = 0;
     double line_seconds_ = 0;  // of the last line printed
     double line_share_ = 0;

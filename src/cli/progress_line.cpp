@@ -31,7 +31,12 @@ std::string bar(double share, int width, bool unicode) {
     return unicode ? "▕" + text + "▏" : "[" + text + "]";
 }
 
-std::string samples_text(const ProgressFacts& facts) {
+std::string samples_text(ProgressFacts facts) {
+    if (facts.frames > 0) {
+        const std::string frame = fmt::format("frame {}/{}  ", facts.frame, facts.frames);
+        facts.frames = 0;
+        return frame + samples_text(facts);
+    }
     if (facts.target == 0) return fmt::format("{} spp", facts.done);
     return fmt::format("{}/{} spp", facts.done, facts.target);
 }

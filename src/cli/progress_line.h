@@ -14,6 +14,7 @@ struct ProgressFacts {
     double samples_per_second = 0;  // camera samples of all pixels; 0 = not known yet
     double seconds_left = -1;       // below 0 = not known yet
     bool stopping = false;          // interrupted: the step under way is the last
+    int frame = 0, frames = 0;      // the one under way, from 1, of so many; 0 = no frames
 };
 
 /// "0:07", "12:05", "1:02:03".

@@ -4,6 +4,7 @@
 #include "help_format.h"
 #include "interrupt.h"
 #include "progress.h"
+#include "render_frames.h"
 #include "render_loop.h"
 #include "render_options.h"
 #include "status.h"
@@ -32,14 +33,16 @@ constexpr const char* kFooter =
 picture after exposure and tone curve; hdr, pfm and exr hold linear radiance,
 exr also alpha, albedo, normal, depth, ids, standard error and samples as layers.
 
-Ctrl-C ends the render after the step under way and saves what is there; a second
-one leaves at once.
+Ctrl-C ends the render after the step under way and saves what is there, of frames
+those that are whole; a second one leaves at once.
 
 Examples:
   teapath render scenes/cornell_box.json -o box.png
   teapath render scenes/cornell_box.json -o box.png -o box.exr --size 800x800
   teapath render scenes/cornell_box.json -o box.jpg --time 60 --backend cuda
-  teapath render scenes/cornell_box.json -o box.png --set display.exposure=1.5)";
+  teapath render scenes/cornell_box.json -o box.png --set display.exposure=1.5
+  teapath render walk.glb -o walk_####.png --frames 0-47 --fps 24
+  teapath render walk.glb -o step.png --set render.time=0.5)";
 
 constexpr int kMaxThreads = 1024;
 constexpr int kMaxDevice = 1023;
@@ -47,7 +50,7 @@ constexpr int kMaxDevice = 1023;
 // The options as typed.
 struct Words {
     std::optional<std::string> scene, spp, time, size, depth, seed, camera, backend, device,
-        threads;
+        threads, frames, fps;
     std::vector<std::string> outputs, settings;
     bool quiet = false, denoise = false;
 };
@@ -67,7 +70,7 @@ void add_options(CLI::App& parser, Words& words) {
             ->take_all()
             ->allow_extra_args(false);
     };
-    add("SCENE", words.scene, "", "The scene, a JSON file");
+    add("SCENE", words.scene, "", "The scene, a JSON file, or a model");
     add_many("-o,--output", words.outputs, "FILE", "Picture to write; may be given several times");
     add("--spp", words.spp, "N", "Samples per pixel, instead of the scene's");
     add("--time", words.time, "SECONDS",
@@ -75,6 +78,9 @@ void add_options(CLI::App& parser, Words& words) {
     add("--size", words.size, "WxH", "Size in pixels, instead of the scene's");
     add("--depth", words.depth, "N", "Segments of a path at most, 1 = light seen by the camera");
     add("--seed", words.seed, "N|random", "One picture for each seed; random: from the clock");
+    add("--frames", words.frames, "A-B",
+        "Frames of the models' animations; the numbers stand for #### in the names of files");
+    add("--fps", words.fps, "N", "Frames a second: frame n is n/N seconds in (24)");
     add("--camera", words.camera, "NAME", "One of the scene's cameras");
     add_many("--set", words.settings, "PATH=VALUE",
              "Any setting of the scene, as in render.sampler=sobol; may be given several times");
@@ -103,6 +109,13 @@ RenderOptions parse_options(const Words& words) {
     if (words.time) options.seconds = parse_seconds("--time", *words.time);
     if (words.size) options.size = parse_size("--size", *words.size);
     options.depth = whole("--depth", words.depth, 1, kMaxPathDepth);
+    if (words.frames) options.frames = parse_frames("--frames", *words.frames);
+    if (words.fps) {
+        if (!options.frames)
+            throw Error(ErrorKind::Usage, "there are no frames", "--fps",
+                        "say which, as in --frames 0-47");
+        options.frames_per_second = parse_frame_rate("--fps", *words.fps);
+    }
     if (words.seed) options.seed = parse_seed("--seed", *words.seed);
     options.camera = words.camera;
     options.settings = words.settings;
@@ -151,7 +164,8 @@ int render(const RenderOptions& options) {
     if (options.quiet) set_log_level(LogLevel::Warning);
 
     // Everything that can go wrong early, early.
-    check_outputs(options.outputs);
+    // The frames' files differ in their numbers alone.
+    check_outputs(options.frames ? frame_paths(options, options.frames->first) : options.outputs);
     const auto scene =
         std::make_shared<const Scene>(apply_options(load_scene(options.scene), options));
     SessionOptions session_options{options.backend, options.device, options.threads,
@@ -159,6 +173,12 @@ int render(const RenderOptions& options) {
     Session session(session_options);
     session.sync(scene);
     if (!options.quiet) print_status(start_text(options, *scene, session));
+
+    if (options.frames) {
+        const int code = render_frames(options, *scene, session, interrupt);
+        warn_of_invalid_samples(session.counters());
+        return code;
+    }
 
     // Samples, until there are enough.
     const int64_t pixels = int64_t{scene->render.width} * scene->render.height;

@@ -27,6 +27,9 @@ struct RenderOptions {
     std::optional<std::string> camera;
     std::vector<std::string> settings;  // "path.to.setting=value"
 
+    std::optional<FrameRange> frames;  // none: one picture at the scene's time
+    double frames_per_second = 24;
+
     BackendKind backend = BackendKind::Auto;
     int device = 0;
     int threads = 0;  // 0 = all cores

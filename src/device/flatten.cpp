@@ -107,10 +107,18 @@ bool looks_same(const T& a, const T& b) {
     renamed.name = b.name;
     return renamed == b;
 }
+// Objects may have meshes of one file in two forms.
+bool looks_same(const Object& a, const Object& b) {
+    const auto* x = std::get_if<MeshShape>(&a.shape);
+    const auto* y = std::get_if<MeshShape>(&b.shape);
+    if (x && y && x->file.mesh != y->file.mesh) return false;
+    return looks_same<Object>(a, b);
+}
 template <class T>
 bool all_look_same(const SharedList<T>& a, const SharedList<T>& b) {
     if (&a.items() == &b.items()) return true;
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), looks_same<T>);
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const T& x, const T& y) { return looks_same(x, y); });
 }
 
 template <class T>
@@ -154,8 +162,8 @@ SceneParts changed_parts(const Scene& before, const Scene& after) {
                           [](const auto& x, const auto& y) { return x.id == y.id; });
     };
     // Records are numbered in the order of the materials, so that order is part of the geometry.
-    if (!all_look_same(before.objects, after.objects) ||
-        !all_look_same(before.generators, after.generators) ||
+    if (!all_look_same(before.objects, after.objects)) parts = parts | SceneParts::Geometry;
+    if (!all_look_same(before.generators, after.generators) ||
         !same_ids(before.materials, after.materials))
         parts = parts | SceneParts::Geometry | SceneParts::Materials;
     if (!all_look_same(before.materials, after.materials) ||

@@ -185,10 +185,19 @@ void Document::fly(const Camera& camera) {
     modified_ = !saved_ || *scene_ != *saved_;
 }
 
+void Document::set_time(double seconds) {
+    if (scene_->render.time == seconds) return;
+    Scene changed = *scene_;
+    changed.render.time = seconds;
+    scene_ = std::make_shared<const Scene>(std::move(changed));
+    modified_ = !saved_ || *scene_ != *saved_;
+}
+
 void Document::go_to(size_t position) {
     if (position >= steps_.size() || position == position_) return;
     Scene scene = *steps_[position].scene;
     put_camera(camera_after(steps_, position_, position, active_camera(*scene_)), scene);
+    scene.render.time = scene_->render.time;
     set_scene(std::move(scene));
     position_ = position;
     merging_ = false;

@@ -213,6 +213,7 @@ void model_fields(V& v, Model& m) {
     v.required("file", m.path,
                "the path of a model (.gltf, .glb, .obj), relative to the scene file");
     v.object("transform", m.transform, [](auto& w, Transform& t) { transform_fields(w, t); });
+    v("animation", m.animation);
     v.changes("objects");
     v.changes("materials");
     v.changes("textures");
@@ -284,6 +285,7 @@ void render_fields(V& v, RenderSettings& r) {
     v("height", r.height);
     v("samples", r.samples);
     v("seconds", r.seconds);
+    v("time", r.time);
     v("denoise", r.denoise);
     v("denoise_strength", r.denoise_strength);
     v("integrator", r.path.integrator);

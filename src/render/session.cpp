@@ -27,6 +27,7 @@ Session::Session(const SessionOptions& options)
 Session::~Session() = default;
 
 void Session::sync(std::shared_ptr<const Scene> scene) {
+    scene = poser_.pose(std::move(scene));
     const SceneParts parts = scene_ ? changed_parts(*scene_, *scene) : SceneParts::All;
     scene_ = std::move(scene);
     if (parts != SceneParts::None) {

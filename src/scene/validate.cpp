@@ -1,6 +1,8 @@
 // Checks of a scene's settings, cameras, background, generators and names.
 #include "problem_list.h"
 
+#include <teapath/scene/pose.h>
+
 #include <set>
 
 namespace tp {
@@ -16,6 +18,7 @@ void check_render(const RenderSettings& r, ProblemList& problems) {
                        "at most 268,435,456, for example 16384 x 16384");
     problems.in_range("render.samples", r.samples, 1, kMaxSamples);
     problems.in_range("render.seconds", r.seconds, 0.0, 1e9);
+    problems.in_range("render.time", r.time, 0.0, 1e9);
     problems.in_range("render.denoise_strength", r.denoise_strength, 0.0, 1.0);
     problems.in_range("render.max_depth", r.path.max_depth, 1, kMaxPathDepth);
     problems.in_range("render.roulette_depth", r.path.roulette_depth, 0, kMaxPathDepth);
@@ -148,6 +151,18 @@ void check_generators(const Scene& scene, ProblemList& problems) {
     }
 }
 
+void check_models(const Scene& scene, ProblemList& problems) {
+    const Place list = "models";
+    for (size_t i = 0; i < scene.models.size(); ++i) {
+        const Model& model = scene.models[i];
+        const bool is_name = model.animation != kAllAnimations && model.animation != kNoAnimation;
+        if (model.content && is_name && playing_animations(model).empty())
+            problems.warn(
+                list[i] / "animation",
+                fmt::format("the model has no animation \"{}\"; it stands still", model.animation));
+    }
+}
+
 template <class Things>
 void check_names(const Things& things, const char* where, ProblemList& problems) {
     std::set<std::string> names;
@@ -170,6 +185,7 @@ std::vector<Problem> validate(const Scene& scene) {
         problems.fatal("active_camera", "the camera does not exist", "choose another");
     check_background(scene.background, problems);
     check_textures_and_materials(scene, problems);
+    check_models(scene, problems);
     check_objects(scene, problems);
     check_generators(scene, problems);
     check_names(scene.cameras, "cameras", problems);

@@ -52,13 +52,16 @@ public:
     /// Moves the active camera without a step of the history.
     void fly(const Camera& camera);
 
+    /// Goes to a time of the animations, in seconds, without a step of the history.
+    void set_time(double seconds);
+
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ + 1 < steps_.size(); }
     void undo() { go_to(position_ - 1); }
     void redo() { go_to(position_ + 1); }
     /// Goes to a step of the history. The camera stays where it has been flown to, unless the way
     /// there passes a step that changed it: then it is where it was before or after that step. A
-    /// step that changed its lens alone leaves it in its place.
+    /// step that changed its lens alone leaves it in its place. So does the time.
     void go_to(size_t position);
     const std::vector<HistoryStep>& history() const { return steps_; }
     size_t history_position() const { return position_; }

@@ -8,12 +8,14 @@
 //   | size                                 | the film                     | emptied |
 //   | material, texture, background        | their records, the lights    | emptied |
 //   | object: transform, shape, material   | hittables, tree, lights      | emptied |
+//   | time, by what it moves               | hittables, tree, lights, and | emptied |
+//   |                                      | meshes of another form       |         |
 #pragma once
 
 #include <teapath/device/scene_arrays.h>
 #include <teapath/render/backend.h>
 #include <teapath/render/film_image.h>
-#include <teapath/scene/scene.h>
+#include <teapath/scene/pose.h>
 
 #include <atomic>
 #include <cstdint>
@@ -38,7 +40,7 @@ public:
     explicit Session(const SessionOptions& options);
     ~Session();
 
-    /// Takes a snapshot; the table above says what it resets.
+    /// Takes a snapshot, posed at its time; the table above says what it resets.
     void sync(std::shared_ptr<const Scene> scene);
 
     /// Adds this many samples to every pixel. Returns false if cancelled on the way: the film is
@@ -62,6 +64,8 @@ public:
     BackendKind backend_kind() const { return backend_->kind(); }  // Cuda or Host
     RenderCounters counters() const { return backend_->counters(); }
     size_t memory_bytes() const { return backend_->memory_bytes(); }
+    /// The scene as it stands at its time; the snapshot itself where nothing moves.
+    const std::shared_ptr<const Scene>& posed_scene() const { return scene_; }
     const SceneArrays& arrays() const { return arrays_; }
 
 private:
@@ -69,7 +73,8 @@ private:
 
     SessionOptions options_;
     std::unique_ptr<Backend> backend_;
-    std::shared_ptr<const Scene> scene_;
+    ScenePoser poser_;
+    std::shared_ptr<const Scene> scene_;  // posed
     SceneArrays arrays_;
     FilmSetup film_setup_;
     int64_t samples_ = 0;

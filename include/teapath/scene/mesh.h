@@ -37,6 +37,10 @@ size_t bytes_of(const Mesh& mesh);
 /// if nothing does.
 std::string problem_of(const Mesh& mesh);
 
+/// Normals and tangents made unit; where one has no direction it is taken from the triangles
+/// around its vertex. Texture coordinates that are no numbers become 0.
+void mend_attributes(Mesh& mesh);
+
 /// The mesh as scenes hold it, with its box.
 std::shared_ptr<const Mesh> share(Mesh mesh);
 

@@ -16,6 +16,7 @@
 
 namespace tp {
 
+struct ModelMotion;
 struct Scene;
 
 /// A light without a size, in the units of glTF's KHR_lights_punctual.
@@ -42,7 +43,8 @@ struct ModelContent {
     std::vector<Texture> textures;
     std::vector<Camera> cameras;
     std::vector<ModelLight> lights;
-    std::vector<std::string> unsupported;  // what was left out, a sentence each
+    std::shared_ptr<const ModelMotion> motion;  // scene/pose.h; null: nothing moves
+    std::vector<std::string> unsupported;       // what was left out, a sentence each
 };
 
 struct Model {
@@ -50,13 +52,14 @@ struct Model {
     std::string name;
     std::string path;                             // relative to the scene file
     Transform transform;                          // of all its objects, after their own
+    std::string animation = "all";                // name of the one that plays, or "none"
     std::shared_ptr<const ModelContent> content;  // null: the file is missing
     std::string kept_changes;  // JSON of what was changed, kept where the file is missing
 
     // Content follows from the file.
     friend bool operator==(const Model& a, const Model& b) {
         return a.id == b.id && a.name == b.name && a.path == b.path && a.transform == b.transform &&
-               a.kept_changes == b.kept_changes;
+               a.animation == b.animation && a.kept_changes == b.kept_changes;
     }
 };
 

@@ -63,6 +63,7 @@ struct RenderSettings {
     int height = 720;
     int samples = 64;             // per pixel, 1 to 2^30
     double seconds = 0;           // the render stops after, whatever the samples; 0 = no limit
+    double time = 0;              // seconds from the start of the models' animations
     bool denoise = false;         // takes the noise away from what is shown and written
     double denoise_strength = 1;  // 0 to 1: from the noisy picture to the one without noise
     PathSettings path;

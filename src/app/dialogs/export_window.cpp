@@ -6,12 +6,14 @@
 #include <teapath/render/backend_names.h>
 #include <teapath/render/output_files.h>
 #include <teapath/scene/camera_path.h>
+#include <teapath/scene/pose.h>
 
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tp {
 namespace {
@@ -122,9 +124,13 @@ void draw_seed_row(ExportSettings& s) {
 
 void draw_motion_rows(PanelContext& c) {
     ExportSettings& s = c.ui.dialogs.exports;
-    ui::row("Motion", s.motion,
-            "One picture, or frames: through the cameras \"bookmark 1\" to \"bookmark 9\" in turn, "
-            "or once round the point that the camera looks at");
+    const bool is_new = ui::row(
+        "Motion", s.motion,
+        "One picture, or frames: through the cameras \"bookmark 1\" to \"bookmark 9\" in turn, "
+        "once round the point that the camera looks at, or as the models' animations play");
+    const double length = animation_length(c.document.scene());
+    if (is_new && s.motion == ExportMotion::Animation && length > 0)
+        s.frames = std::clamp(static_cast<int>(std::ceil(length * s.frames_per_second)), 1, 9999);
     if (s.motion == ExportMotion::Still) return;
     ui::row("Frames", s.frames, 48, 1, 9999, "Number of pictures");
     ui::row("Rate", s.frames_per_second, 24.0, 0.1, 1.0, 1000.0, "%.3g /s",

@@ -6,6 +6,7 @@
 #include <teapath/render/rendered_image.h>
 #include <teapath/render/session.h>
 #include <teapath/scene/camera_path.h>
+#include <teapath/scene/pose.h>
 #include <teapath/scene/validate.h>
 
 #include <fmt/format.h>
@@ -106,6 +107,8 @@ Scene export_scene(const Scene& scene, const ExportSettings& settings, int frame
     changed.render.path.seed =
         settings.seed + (settings.new_seeds ? static_cast<uint64_t>(frame) : 0);
     if (find(changed, settings.camera)) changed.active_camera = settings.camera;
+    if (settings.motion == ExportMotion::Animation)
+        changed.render.time = frame_time(settings, frame);
     const Camera camera = camera_of(changed, settings, frame);
     for (Camera& c : changed.cameras)
         if (c.id == camera.id) c = camera;
@@ -116,6 +119,8 @@ std::string why_not_exported(const Scene& scene, const ExportSettings& settings)
     if (settings.file.empty()) return "choose a file first";
     if (settings.motion == ExportMotion::Bookmarks && bookmark_cameras(scene).size() < 2)
         return "the way needs two bookmarks at least (Ctrl with 1 to 9 sets them)";
+    if (settings.motion == ExportMotion::Animation && !(animation_length(scene) > 0))
+        return "no model of the scene has an animation that plays";
     try {
         check_outputs({frame_file(settings, 0)});
         for (const Problem& problem : validate(export_scene(scene, settings, 0)))

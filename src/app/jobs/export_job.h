@@ -14,7 +14,7 @@
 
 namespace tp {
 
-enum class ExportMotion : uint8_t { Still, Bookmarks, Turntable };
+enum class ExportMotion : uint8_t { Still, Bookmarks, Turntable, Animation };
 
 template <>
 struct EnumTable<ExportMotion> {
@@ -22,7 +22,8 @@ struct EnumTable<ExportMotion> {
     static constexpr std::array rows = {
         EnumRow<E>{E::Still, "still", "One picture"},
         EnumRow<E>{E::Bookmarks, "bookmarks", "Along the bookmarks"},
-        EnumRow<E>{E::Turntable, "turntable", "Turntable"}};
+        EnumRow<E>{E::Turntable, "turntable", "Turntable"},
+        EnumRow<E>{E::Animation, "animation", "The models' animations"}};
 };
 
 struct ExportSettings {

@@ -2,9 +2,11 @@
 #include "inspector.h"
 
 #include <teapath/editor/model_edits.h>
+#include <teapath/scene/pose.h>
 
 #include <icons_font_awesome_6.h>
 
+#include <algorithm>
 #include <set>
 
 namespace tp {
@@ -92,6 +94,22 @@ void transform_rows(PanelContext& c, const Model& model) {
                     [&](Scene& s) { place_model(s, model.id, t); });
 }
 
+void animation_row(PanelContext& c, const Model& model) {
+    if (!model.content || !model.content->motion) return;
+    std::vector<std::string> labels = {"All", "None"}, names = {kAllAnimations, kNoAnimation};
+    for (const Animation& animation : model.content->motion->animations) {
+        labels.push_back(fmt::format("{} ({:.2f} s)", animation.name, animation.length));
+        names.push_back(animation.name);
+    }
+    const auto now = std::find(names.begin(), names.end(), model.animation);
+    int index = now == names.end() ? -1 : static_cast<int>(now - names.begin());
+    if (!ui::row_choice("Animation", index, labels, "What of the model file plays", 0)) return;
+    c.document.edit(fmt::format("Animation of {}", model.name), "", [&](Scene& s) {
+        for (Model& m : s.models.edit())
+            if (m.id == model.id) m.animation = names[static_cast<size_t>(index)];
+    });
+}
+
 }  // namespace
 
 void model_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
@@ -102,6 +120,7 @@ void model_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
     const KnownFigures& known = known_figures(c, scene, model->id);
     if (ui::begin_rows("model")) {
         transform_rows(c, *model);
+        animation_row(c, *model);
         figure_rows(*model, known.figures);
         ui::end_rows();
     }

@@ -10,6 +10,8 @@
 #include "../viewport/scene_extent.h"
 #include "viewport_parts.h"
 
+#include <teapath/scene/pose.h>
+
 #include <fmt/format.h>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -78,6 +80,18 @@ bool manipulate(const ViewportState& v, const ViewportFrame& frame, const Camera
     return changed;
 }
 
+// Places an object so that the scene's time takes it to `shown`.
+void place_object(const Transform& shown, PoseChanges& changes, Object& object) {
+    const auto change = changes.of(object);
+    if (!change || *change == DoubleMat4(1)) {
+        object.transform = shown;
+        return;
+    }
+    move_object(object, *change);
+    object.transform = shown;
+    move_object(object, glm::inverse(*change));
+}
+
 // Places the objects as the drag has them.
 void place_objects(PanelContext& c, GizmoKind kind) {
     const GizmoDrag& drag = c.ui.viewport.gizmo;
@@ -88,8 +102,10 @@ void place_objects(PanelContext& c, GizmoKind kind) {
         placed.size() == 1 ? display_name(*first) : fmt::format("{} objects", placed.size());
     c.document.edit(fmt::format("{} {}", name_of(kind), what),
                     fmt::format("gizmo {} {}", name_of(kind), first->id.value), [&](Scene& s) {
+                        PoseChanges changes(s);
                         for (const GizmoDrag::Start& p : placed)
-                            if (Object* o = find_object(s, p.id)) o->transform = p.transform;
+                            if (Object* o = find_object(s, p.id))
+                                place_object(p.transform, changes, *o);
                     });
 }
 
@@ -98,8 +114,9 @@ void place_objects(PanelContext& c, GizmoKind kind) {
 GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame) {
     ViewportState& v = c.ui.viewport;
     GizmoDrag& drag = v.gizmo;
-    const std::vector<const Object*> objects =
-        selected_objects(c.document.scene(), c.document.selection);
+    const std::vector<Object> posed =
+        posed_copies(c, selected_objects(c.document.scene(), c.document.selection));
+    const std::vector<const Object*> objects = addresses_of(posed);
     const bool is_gizmo_tool = v.tool != Tool::Select && v.tool != Tool::Focus;
     const Camera camera = active_camera(c.document.scene());
     if (!is_gizmo_tool || objects.empty() || !keeps_lines_straight(camera)) {
@@ -111,8 +128,11 @@ GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame) {
     const GizmoKind kind = kind_of(v.tool);
     DoubleMat4 matrix = drag.now;
     if (!drag.is_active) {
-        const Object* active = find(c.document.scene(), c.document.selection.back());
-        const DoubleMat3 axes = gizmo_axes(active ? *active : *objects.back(), v.local_axes);
+        const ObjectId last = c.document.selection.back();
+        const auto active =
+            std::find_if(posed.begin(), posed.end(), [&](const Object& o) { return o.id == last; });
+        const DoubleMat3 axes =
+            gizmo_axes(active != posed.end() ? *active : posed.back(), v.local_axes);
         drag.begin(objects, extent_of(objects)->center, axes);
         drag.is_active = false;
         matrix = drag.start;

@@ -3,6 +3,8 @@
 #include "panels.h"
 #include "viewport_parts.h"
 
+#include <teapath/scene/pose.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -79,7 +81,13 @@ void draw_layers(PanelContext& c, const ViewportFrame& frame) {
     layers.has_ground_grid = c.ui.preferences.ground_grid;
     layers.scale = c.window.scale();
     layers.camera = active_camera(c.document.scene());
-    layers.selection = outline_parts(objects_to_outline(c), c.layers.most_outline_triangles());
+    const std::vector<const Object*> selected = objects_to_outline(c);
+    if (animation_length(c.document.scene()) > 0) {
+        const std::vector<Object> posed = posed_copies(c, selected);
+        layers.selection = outline_parts(addresses_of(posed), c.layers.most_outline_triangles());
+    } else {
+        layers.selection = outline_parts(selected, c.layers.most_outline_triangles());
+    }
     c.layers.add_to(list, std::move(layers));
 }
 
@@ -119,9 +127,15 @@ void draw_viewport(PanelContext& c) {
                         ImGuiWindowFlags_NoNavInputs);
     ImGui::PopStyleVar();
     c.ui.viewport.is_moving = c.ui.viewport.has_focus = false;
-    const ImVec2 space = ImGui::GetContentRegionAvail();
-    if (open && space.x >= 1 && space.y >= 1)
+    ImVec2 space = ImGui::GetContentRegionAvail();
+    const float timeline = timeline_height(c);
+    space.y -= timeline;
+    if (open && space.x >= 1 && space.y >= 1) {
+        const ImVec2 below(ImGui::GetCursorPosX(), ImGui::GetCursorPosY() + space.y);
         draw_contents(c, {from_im(ImGui::GetCursorScreenPos()), from_im(space)});
+        ImGui::SetCursorPos(below);
+        draw_timeline(c);
+    }
     ImGui::End();
 }
 

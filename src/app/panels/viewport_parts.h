@@ -37,6 +37,21 @@ struct GizmoUse {
 };
 GizmoUse draw_gizmo(PanelContext& c, const ViewportFrame& frame);
 
+/// The objects as the scene's time has them; forms of meshes as the newest picture has them.
+std::vector<Object> posed_copies(const PanelContext& c, const std::vector<const Object*>& objects);
+
+inline std::vector<const Object*> addresses_of(const std::vector<Object>& objects) {
+    std::vector<const Object*> addresses;
+    for (const Object& object : objects)
+        addresses.push_back(&object);
+    return addresses;
+}
+
+/// Height that the time line takes below the picture; 0 where nothing is animated.
+float timeline_height(const PanelContext& c);
+/// Draws it at the cursor, and moves the time on while it plays.
+void draw_timeline(PanelContext& c);
+
 /// Samples, time, speed, the frame of a paused render, notices.
 void draw_overlay(PanelContext& c, const ViewportFrame& frame);
 /// The card of the first start; any key or click closes it for good.

@@ -1,6 +1,5 @@
 #include "gltf_document.h"
 
-#include "../json_text.h"
 #include "data_uri.h"
 #include "gltf_container.h"
 
@@ -80,7 +79,7 @@ public:
         const Json images = take_list(root, "images", source_.name);
         for (size_t i = 0; i < images.size(); ++i)
             add_image(images[i], i);
-        document_.animations = take_list(root, "animations", source_.name).size();
+        document_.animations = take_list(root, "animations", source_.name);
         const size_t views = give_views_to_indices(root);
         parse_rest(root);
         document_.model.bufferViews.resize(std::min(views, document_.model.bufferViews.size()));

@@ -3,6 +3,7 @@
 // what is read from where, and how much, is decided here.
 #pragma once
 
+#include "../json_text.h"
 #include "../model/model_source.h"
 #include "tinygltf.h"
 
@@ -29,7 +30,7 @@ struct GltfDocument {
     std::vector<std::string_view> buffers;                  // empty: a fallback that is not there
     std::vector<GltfImage> images;
     std::vector<std::string> decoded;  // by buffer view: its bytes where they are compressed
-    size_t animations = 0;
+    Json animations;                   // a list of objects
 
     /// "model.glb: meshes[3]": a place in the file for messages.
     std::string place(const char* list, size_t index) const;

@@ -4,6 +4,7 @@
 #include "gltf_value.h"
 
 #include <teapath/core/error.h>
+#include <teapath/scene/animation.h>
 
 #include <fmt/format.h>
 
@@ -16,17 +17,6 @@ namespace tp {
 namespace {
 
 constexpr int kMaxDepth = 1000;
-
-// Glm's own quaternion type has its members in either order, by its version.
-DoubleMat3 rotation_of(Double4 q) {
-    const double l2 = glm::dot(q, q);
-    if (!(l2 > 0) || !std::isfinite(l2)) return DoubleMat3(1);
-    const double s = 2 / l2;
-    const double x = q.x, y = q.y, z = q.z, w = q.w;
-    return {1 - s * (y * y + z * z), s * (x * y + w * z),     s * (x * z - w * y),
-            s * (x * y - w * z),     1 - s * (x * x + z * z), s * (y * z + w * x),
-            s * (x * z + w * y),     s * (y * z - w * x),     1 - s * (x * x + y * y)};
-}
 
 DoubleMat4 matrix_of(const tinygltf::Node& node) {
     DoubleMat4 m(1);
@@ -49,7 +39,7 @@ public:
         : document_(document), nodes_(document.model.nodes), visited_(nodes_.size()) {}
 
     std::vector<GltfNode> walk() {
-        open(roots(), {}, DoubleMat4(1));
+        open(roots(), kNoIndex, {}, DoubleMat4(1));
         while (!levels_.empty()) {
             Level& level = levels_.back();
             if (level.next == level.children.size()) {
@@ -67,6 +57,7 @@ private:
     struct Level {
         std::vector<int> children;
         size_t next;
+        size_t parent;  // in the list
         std::string path;
         DoubleMat4 world;
         UniqueNames names;
@@ -95,8 +86,8 @@ private:
         return roots;
     }
 
-    void open(std::vector<int> children, std::string path, const DoubleMat4& world) {
-        levels_.push_back({std::move(children), 0, std::move(path), world, {}});
+    void open(std::vector<int> children, size_t parent, std::string path, const DoubleMat4& world) {
+        levels_.push_back({std::move(children), 0, parent, std::move(path), world, {}});
     }
 
     void visit(int child, Level& level) {
@@ -109,17 +100,19 @@ private:
         const tinygltf::Node& node = nodes_[index];
         GltfNode found;
         found.index = index;
+        found.parent = level.parent;
         found.name = level.names.add(node.name.empty() ? fmt::format("node {}", index)
                                                        : path_piece(node.name));
         found.path = level.path.empty() ? found.name : level.path + "/" + found.name;
-        found.world = level.world * matrix_of(node);
+        found.own = matrix_of(node);
+        found.world = level.world * found.own;
         for (int c = 0; c < 4; ++c)
             if (const double sum = glm::dot(found.world[c], Double4(1)); !std::isfinite(sum))
                 fail("the node's place is not finite", where);
         if (levels_.size() >= kMaxDepth && !node.children.empty())
             fail(fmt::format("the nodes nest deeper than {} levels", kMaxDepth), where);
         found_.push_back(found);
-        if (!node.children.empty()) open(node.children, found.path, found.world);
+        if (!node.children.empty()) open(node.children, found_.size() - 1, found.path, found.world);
     }
 
     const GltfDocument& document_;
@@ -130,15 +123,6 @@ private:
 };
 
 }  // namespace
-
-DoubleMat4 placement_matrix(Double3 translation, Double4 rotation, Double3 scale) {
-    const DoubleMat3 turn = rotation_of(rotation);
-    DoubleMat4 m(1);
-    for (int c = 0; c < 3; ++c)
-        m[c] = Double4(turn[c] * scale[c], 0);
-    m[3] = Double4(translation, 1);
-    return m;
-}
 
 std::vector<GltfNode> nodes_of_scene(const GltfDocument& document) {
     return Walker(document).walk();

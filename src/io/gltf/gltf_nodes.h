@@ -3,7 +3,7 @@
 
 #include "gltf_document.h"
 
-#include <teapath/core/math.h>
+#include <teapath/scene/pose.h>
 
 #include <string>
 #include <vector>
@@ -13,12 +13,11 @@ namespace tp {
 struct GltfNode {
     size_t index;      // in the file
     std::string name;  // different from its siblings'
+    size_t parent;     // in the list; kNoIndex: a root
     std::string path;  // names from the root on, parted by slashes
+    DoubleMat4 own;    // in its parent
     DoubleMat4 world;
 };
-
-/// Scale, then rotation (a quaternion x y z w of any length), then translation.
-DoubleMat4 placement_matrix(Double3 translation, Double4 rotation, Double3 scale);
 
 /// The nodes of the file's scene (the first one where it names none; all roots where there are no
 /// scenes), parents first. Throws Error(Input) if a node has two parents, is its own ancestor, does

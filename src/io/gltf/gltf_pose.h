@@ -1,9 +1,10 @@
-// How a mesh stands: morph targets with their weights, and skins as the nodes stand in the file.
+// What gives a mesh its form: morph targets with their weights, and skins, read from the file.
+// scene/deform.h applies them.
 #pragma once
 
 #include "gltf_nodes.h"
 
-#include <teapath/scene/mesh.h>
+#include <teapath/scene/deform.h>
 
 #include <compare>
 #include <string>
@@ -23,22 +24,18 @@ struct MeshUse {
 /// What a node does with its mesh. Throws Error(Input) for a mesh or skin that does not exist.
 MeshUse use_of_mesh(const GltfDocument& document, size_t node);
 
-/// From a mesh's space to the world, as each joint of a skin moves it. Throws Error(Input) for
-/// joints or matrices that do not exist; empty if a joint is not among the nodes of the scene.
-std::vector<DoubleMat4> joint_matrices(const GltfDocument& document, int skin,
-                                       const std::vector<GltfNode>& nodes);
+/// The skin with its joints among `nodes`; without joints if one of them is not there. Throws
+/// Error(Input) for joints or matrices that do not exist.
+MotionSkin read_skin(const GltfDocument& document, int skin, const std::vector<GltfNode>& nodes);
 
-/// Adds the targets to positions and normals. Throws Error(Input) at `where`.
-void apply_morph(const GltfDocument& document, const tinygltf::Primitive& primitive,
-                 const std::vector<double>& weights, const std::string& where, Mesh& mesh);
+/// From a mesh's space to the world, as each joint of a skin moves it at rest.
+std::vector<DoubleMat4> joint_matrices(const MotionSkin& skin, const std::vector<GltfNode>& nodes);
 
-/// Which joints move each vertex and by how much: one list for each set of four.
-struct SkinWeights {
-    std::vector<std::vector<Float4>> joints, weights;
-};
-
-/// Moves the vertices to the world. Throws Error(Input) at `where` for a joint beyond the list.
-void apply_skin(const SkinWeights& skin, const std::vector<DoubleMat4>& joints,
-                const std::string& where, Mesh& mesh);
+/// The targets of a primitive, as many as `weights`. Those with a weight of 0 are left empty unless
+/// `all` are wanted. Throws Error(Input) at `where`.
+std::vector<MorphTarget> read_targets(const GltfDocument& document,
+                                      const tinygltf::Primitive& primitive,
+                                      const std::vector<double>& weights, bool all,
+                                      const std::string& where);
 
 }  // namespace tp

@@ -1,6 +1,7 @@
 #include "gltf_read.h"
 
 #include "../mesh/mesh_finish.h"
+#include "gltf_animations.h"
 #include "gltf_document.h"
 #include "gltf_extensions.h"
 #include "gltf_instances.h"
@@ -15,8 +16,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace tp {
@@ -34,6 +37,7 @@ public:
         content_.unsupported = check_extensions(document_);
         decode_meshopt_views(document_);
         nodes_ = nodes_of_scene(document_);
+        find_motion();
         collect_primitives();
         read_meshes();
         add_materials(document_, textures_, content_);
@@ -44,38 +48,52 @@ public:
         add_lights(document_, nodes_, content_);
         if (content_.objects.empty())
             content_.unsupported.push_back("The scene of the file has no triangles.");
-        say_what_stands_still();
+        keep_motion();
         return std::move(content_);
     }
 
 private:
-    // The primitives of one mesh; null: without triangles.
-    using MeshParts = std::vector<std::shared_ptr<const Mesh>>;
+    // A primitive of a mesh; null: without triangles.
+    struct MeshPart {
+        std::shared_ptr<const Mesh> mesh;
+        std::shared_ptr<const DeformableMesh> deformable;  // null: it keeps its form
+    };
+    using MeshParts = std::vector<MeshPart>;
 
     // One primitive to be read.
     struct Job {
         const MeshUse* use;
-        std::shared_ptr<const Mesh>* mesh;
+        MeshPart* made;
         size_t part;
     };
 
+    void find_motion() {
+        motion_.animations = read_animations(document_, nodes_, content_.unsupported);
+        motion_.nodes = motion_nodes(document_, nodes_);
+        moving_ = moving_nodes(motion_.animations, nodes_);
+        morphing_ = morphing_nodes(motion_.animations, nodes_.size());
+    }
+
     void collect_primitives() {
         double bytes = 0;
-        for (const GltfNode& node : nodes_) {
+        for (size_t n = 0; n < nodes_.size(); ++n) {
+            const GltfNode& node = nodes_[n];
             if (document_.model.nodes[node.index].mesh < 0) continue;
             const auto [entry, is_new] = parts_.try_emplace(use_of_mesh(document_, node.index));
             uses_.emplace(node.index, &*entry);
-            if (!is_new) continue;
             const MeshUse& use = entry->first;
+            if (use.skin >= 0 && !skins_.contains(use.skin)) find_joints(use.skin);
+            if (morphing_[n] || moves(use.skin)) changing_.insert(&use);
+            if (!is_new) continue;
             const auto& primitives = document_.model.meshes[use.mesh].primitives;
             entry->second.resize(primitives.size());
-            if (use.skin >= 0 && !joints_.contains(use.skin)) find_joints(use.skin);
             for (size_t p = 0; p < primitives.size(); ++p) {
                 if (!has_triangles(primitives[p])) {
                     ++points_and_lines_;
                     continue;
                 }
                 bytes += bytes_of_primitive(document_, primitives[p], place_of(use.mesh, p));
+                bytes += bytes_of_targets(primitives[p]);
                 jobs_.push_back({&use, &entry->second[p], p});
             }
         }
@@ -87,8 +105,9 @@ private:
     }
 
     void find_joints(int skin) {
-        const auto& joints = joints_[skin] = joint_matrices(document_, skin, nodes_);
-        if (joints.empty())
+        const MotionSkin& read = skins_[skin] = read_skin(document_, skin, nodes_);
+        joints_[skin] = joint_matrices(read, nodes_);
+        if (read.joints.empty())
             content_.unsupported.push_back(
                 fmt::format("Skin {} has no joints in the scene and is left out.", skin));
     }
@@ -98,20 +117,51 @@ private:
         shared_pool().for_each(static_cast<int64_t>(jobs_.size()), [&](int64_t i) {
             const Job& job = jobs_[static_cast<size_t>(i)];
             const std::string where = place_of(job.use->mesh, job.part);
-            Mesh mesh = read_job(job, where);
-            if (!mesh.triangles.empty()) *job.mesh = share(finish_mesh(std::move(mesh), where));
+            read_job(job, where);
             progress_.step();
         });
     }
 
-    Mesh read_job(const Job& job, const std::string& where) const {
-        const auto& primitive = document_.model.meshes[job.use->mesh].primitives[job.part];
-        SkinWeights skin;
-        Mesh mesh =
-            read_primitive(document_, primitive, where, is_skinned(*job.use) ? &skin : nullptr);
-        apply_morph(document_, primitive, job.use->weights, where, mesh);
-        if (is_skinned(*job.use)) apply_skin(skin, joints_.at(job.use->skin), where, mesh);
-        return mesh;
+    void read_job(const Job& job, const std::string& where) const {
+        const MeshUse& use = *job.use;
+        const auto& primitive = document_.model.meshes[use.mesh].primitives[job.part];
+        const bool changes = changing_.contains(&use);
+        DeformableMesh read;
+        read.mesh =
+            read_primitive(document_, primitive, where, is_skinned(use) ? &read.skin : nullptr);
+        if (read.mesh.triangles.empty()) return;
+        read.targets = read_targets(document_, primitive, use.weights, changes, where);
+        const std::vector<DoubleMat4> joints =
+            is_skinned(use) ? joints_.at(use.skin) : std::vector<DoubleMat4>();
+        if (std::string problem = problem_of(read, joints.size()); !problem.empty())
+            throw Error(ErrorKind::Input, std::move(problem), where, "export the model again");
+        const bool deforms = is_skinned(use) || !read.targets.empty();
+        if (!deforms) {
+            job.made->mesh = share(finish_mesh(std::move(read.mesh), where));
+            return;
+        }
+        finish_mesh(read.mesh, where);  // its indices are good from here on
+        job.made->mesh = share(finish_mesh(deformed(read, use.weights, joints, false), where));
+        if (changes) job.made->deformable = std::make_shared<const DeformableMesh>(std::move(read));
+    }
+
+    double bytes_of_targets(const tinygltf::Primitive& primitive) const {
+        double bytes = 0;
+        for (const auto& target : primitive.targets)
+            for (const auto& [name, accessor] : target)
+                if (accessor >= 0 &&
+                    static_cast<size_t>(accessor) < document_.model.accessors.size())
+                    bytes +=
+                        12.0 * static_cast<double>(
+                                   document_.model.accessors[static_cast<size_t>(accessor)].count);
+        return bytes;
+    }
+
+    // True if some animation moves a joint of the skin.
+    bool moves(int skin) const {
+        if (skin < 0) return false;
+        const auto& joints = skins_.at(skin).joints;
+        return std::any_of(joints.begin(), joints.end(), [&](size_t j) { return moving_[j]; });
     }
 
     bool is_skinned(const MeshUse& use) const {
@@ -121,7 +171,8 @@ private:
     void place_objects() {
         UniqueNames paths;
         size_t flat = 0;
-        for (const GltfNode& node : nodes_) {
+        for (size_t n = 0; n < nodes_.size(); ++n) {
+            const GltfNode& node = nodes_[n];
             const auto use = uses_.find(node.index);
             if (use == uses_.end()) continue;
             // A skin's joints say where it is, its node does not.
@@ -133,7 +184,7 @@ private:
                 const std::string instance =
                     places.size() == 1 ? std::string() : fmt::format(":{}", i + 1);
                 if (split)
-                    place_mesh(node, instance, *use->second, *split, paths);
+                    place_mesh(n, instance, *use->second, *split, paths);
                 else
                     ++flat;
             }
@@ -143,13 +194,14 @@ private:
                 fmt::format("{} nodes are scaled to nothing and left out.", flat));
     }
 
-    void place_mesh(const GltfNode& node, const std::string& instance,
+    void place_mesh(size_t index, const std::string& instance,
                     const std::pair<const MeshUse, MeshParts>& use, const SplitTransform& split,
                     UniqueNames& paths) {
         const auto& [how, parts] = use;
+        const GltfNode& node = nodes_[index];
         const size_t mesh = how.mesh;
         for (size_t p = 0; p < parts.size(); ++p) {
-            if (!parts[p]) continue;
+            if (!parts[p].mesh) continue;
             const bool is_alone = parts.size() == 1;
             Object object;
             object.id = ObjectId{static_cast<uint32_t>(content_.objects.size() + 1)};
@@ -158,11 +210,14 @@ private:
             object.name = node.name + ending;
             object.part.path = paths.add(node.path + ending);
             MeshShape shape;
-            shape.file = {mesh_path(how, node, p), parts[p]};
+            shape.file = {mesh_path(how, node, p), parts[p].mesh};
             shape.placement = split.placement;
             object.shape = std::move(shape);
             object.transform = split.transform;
             object.material = material_of(mesh, p);
+            if (moving_[index] || parts[p].deformable)
+                motion_.parts[object.part.path] = {index, skin_of(how), parts[p].deformable,
+                                                   parts[p].mesh};
             content_.objects.push_back(std::move(object));
         }
     }
@@ -177,9 +232,29 @@ private:
         return MaterialId{static_cast<uint32_t>(material + 1)};
     }
 
-    void say_what_stands_still() {
-        if (document_.animations > 0)
-            content_.unsupported.push_back("Animations are left out; the model stands as it is.");
+    // The number of a use's skin among those of the motion; kNoIndex: it has none.
+    size_t skin_of(const MeshUse& use) {
+        if (!is_skinned(use)) return kNoIndex;
+        const auto [entry, is_new] = skin_indices_.try_emplace(use.skin, motion_.skins.size());
+        if (is_new) motion_.skins.push_back(skins_.at(use.skin));
+        return entry->second;
+    }
+
+    void keep_motion() {
+        for (size_t n = 0; n < nodes_.size(); ++n)
+            for (const ModelLight& light : content_.lights)
+                if (moving_[n] && light.part.path == nodes_[n].path)
+                    motion_.parts["light:" + light.part.path] = {n, kNoIndex, nullptr, nullptr};
+        const auto& cameras = document_.model.nodes;
+        const bool moves_camera = [&] {
+            for (size_t n = 0; n < nodes_.size(); ++n)
+                if (moving_[n] && cameras[nodes_[n].index].camera >= 0) return true;
+            return false;
+        }();
+        if (moves_camera)
+            content_.unsupported.push_back("Cameras stand still, though an animation moves one.");
+        if (!motion_.animations.empty())
+            content_.motion = std::make_shared<const ModelMotion>(std::move(motion_));
     }
 
     std::string place_of(size_t mesh, size_t part) const {
@@ -202,7 +277,12 @@ private:
     std::vector<GltfNode> nodes_;
     std::map<MeshUse, MeshParts> parts_;
     std::map<size_t, const std::pair<const MeshUse, MeshParts>*> uses_;  // by node
-    std::map<int, std::vector<DoubleMat4>> joints_;                      // by skin
+    ModelMotion motion_;
+    std::vector<bool> moving_, morphing_;            // of nodes_
+    std::set<const MeshUse*> changing_;              // their meshes change their form
+    std::map<int, MotionSkin> skins_;                // by the file's numbers
+    std::map<int, size_t> skin_indices_;             // of motion_.skins
+    std::map<int, std::vector<DoubleMat4>> joints_;  // by skin, at rest
     std::vector<Job> jobs_;
     size_t points_and_lines_ = 0;
 };

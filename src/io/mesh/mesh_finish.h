@@ -13,10 +13,6 @@ inline constexpr uint64_t kMaxMeshCount = uint64_t{1} << 31;
 /// Turns around v, which starts at the bottom in a file, and leaves no number that is not finite.
 void flip_v(std::vector<Float2>& uvs);
 
-/// Normals and tangents made unit; where one has no direction it is taken from the triangles
-/// around its vertex. Texture coordinates that are no numbers become 0.
-void mend_attributes(Mesh& mesh);
-
 /// The mesh with its attributes mended. Throws Error(Input), saying what is wrong in `name`, if it
 /// has no triangles or is not what scene/mesh.h promises.
 Mesh finish_mesh(Mesh mesh, const std::string& name);
