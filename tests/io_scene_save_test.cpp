@@ -6,6 +6,7 @@
 #include <teapath/core/error.h>
 #include <teapath/io/scene_file.h>
 #include <teapath/scene/enum_tables.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -136,6 +137,7 @@ private:
         // Only those before: no circles.
         t.even = {color(), {index > 0 && below(2) ? 3 * below(index) + 2 : 0}};
         t.odd.color = color();
+        t.high = t.vein = t.late = t.even;
         t.mode = kind<CheckerMode>();
         t.cells = {number(), 3};
         t.file.path = below(2) ? "image.png" : "";
@@ -145,6 +147,29 @@ private:
         t.uv_rotation = number();
         t.uv_offset = {number(), 0};
         t.tint = color();
+        t.projection = kind<TextureProjection>();
+        t.space =
+            t.projection == TextureProjection::Uv ? kind<TextureSpace>() : TextureSpace::World;
+        t.sharpness = 1 + below(9);
+        for (TexturedColor* c : {&t.low, &t.stone, &t.early, &t.brick, &t.mortar})
+            *c = {color(), {}};
+        t.scale = vec3();
+        t.axis = kind<Axis>();
+        t.seed = static_cast<int>(below(1u << 31));
+        t.tea_rounds = 2 + static_cast<int>(below(31));
+        t.pattern = kind<NoisePattern>();
+        t.octaves = 1 + static_cast<int>(below(16));
+        t.lacunarity = 1 + 0.5 * below(4);
+        t.gain = 0.25 * below(5);
+        t.contrast = below(9);
+        t.distortion = below(9);
+        t.vein_power = 1 + below(9);
+        t.grain = 0.25 * below(5);
+        t.brick_size = {0.1 * (1 + below(9)), 0.1};
+        t.mortar_width = 0.01 * below(9);
+        t.mortar_blend = 0.5 * below(3);
+        t.row_offset = 0.25 * below(5);
+        t.variation = 0.25 * below(5);
         return t;
     }
     TexturedNumber textured(const Scene& s, TexturedNumber standard) {
@@ -167,6 +192,8 @@ private:
         p.attenuation_distance = std::abs(number());
         p.normal = any_id(s.textures);
         p.normal_scale = number();
+        p.bump = any_id(s.textures);
+        p.bump_scale = number();
         p.dispersion = below(5);
         p.coat_normal = any_id(s.textures);
         p.coat_normal_scale = number();
@@ -229,6 +256,23 @@ private:
     std::mt19937 random_;
 };
 
+// The numbers of noise, marble, wood or brick.
+void check_same_pattern(const Texture& x, const Texture& y) {
+    CHECK((x.space == y.space && x.seed == y.seed && x.tea_rounds == y.tea_rounds));
+    if (x.kind == TextureKind::Brick) {
+        CHECK((x.brick_size == y.brick_size && x.mortar_width == y.mortar_width &&
+               x.mortar_blend == y.mortar_blend && x.row_offset == y.row_offset &&
+               x.variation == y.variation));
+        return;
+    }
+    CHECK((x.scale == y.scale && x.octaves == y.octaves && x.lacunarity == y.lacunarity &&
+           x.gain == y.gain));
+    if (x.kind == TextureKind::Noise) CHECK((x.pattern == y.pattern && x.contrast == y.contrast));
+    if (x.kind != TextureKind::Noise) CHECK((x.axis == y.axis && x.distortion == y.distortion));
+    if (x.kind == TextureKind::Marble) CHECK(x.vein_power == y.vein_power);
+    if (x.kind == TextureKind::Wood) CHECK(x.grain == y.grain);
+}
+
 // What a texture shows, whatever its name: its JSON with everything in place.
 void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
                       const TexturedColor& y) {
@@ -244,12 +288,14 @@ void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
         CHECK((tx->file == ty->file && tx->wrap == ty->wrap && tx->repeat == ty->repeat &&
                tx->wrap_v == ty->wrap_v && tx->uv_set == ty->uv_set &&
                tx->uv_rotation == ty->uv_rotation && tx->uv_offset == ty->uv_offset &&
-               tx->tint == ty->tint));
-    if (tx->kind == TextureKind::Checker) {
-        CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
-        check_same_color(a, tx->even, b, ty->even);
-        check_same_color(a, tx->odd, b, ty->odd);
-    }
+               tx->tint == ty->tint && tx->projection == ty->projection && tx->space == ty->space &&
+               tx->sharpness == ty->sharpness));
+    if (tx->kind == TextureKind::Checker) CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
+    if (is_blend(tx->kind)) check_same_pattern(*tx, *ty);
+    const TexturePair px = pair_of(*tx), py = pair_of(*ty);
+    if (!px.first) return;
+    check_same_color(a, *px.first, b, *py.first);
+    check_same_color(a, *px.second, b, *py.second);
 }
 
 void check_same_texture(const Scene& a, TextureId x, const Scene& b, TextureId y) {
@@ -278,6 +324,8 @@ void check_same_surface(const Scene& a, const PrincipledSurface& x, const Scene&
     check_same_color(a, x.sheen_color, b, y.sheen_color);
     check_same_number(a, x.sheen_roughness, b, y.sheen_roughness);
     check_same_texture(a, x.normal, b, y.normal);
+    check_same_texture(a, x.bump, b, y.bump);
+    CHECK(x.bump_scale == y.bump_scale);
     check_same_texture(a, x.coat_normal, b, y.coat_normal);
     check_same_number(a, x.iridescence, b, y.iridescence);
     check_same_number(a, x.iridescence_thickness, b, y.iridescence_thickness);

@@ -9,7 +9,8 @@ namespace tp {
 inline constexpr uint32_t kVariantSpheres = 0;  // constant colours, no lights but the background
 inline constexpr uint32_t kVariantLit = kFeatureShapes | kFeatureLights;
 inline constexpr uint32_t kVariantBooks =  // the shapes and materials of the books
-    kFeatureAll & ~uint32_t{kFeatureMeshes | kFeaturePrincipled | kFeatureHiding};
+    kFeatureAll &
+    ~uint32_t{kFeatureMeshes | kFeaturePrincipled | kFeatureHiding | kFeatureProcedural};
 inline constexpr uint32_t kVariantGeneral = kFeatureAll;
 
 /// Calls f.operator()<kFeatures>() for the smallest variant that has all `needed` features.
