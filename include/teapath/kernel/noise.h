@@ -95,16 +95,21 @@ TP_HD Noise2 gradient_noise(const NoiseHash& hash, Vec2 p) {
 }
 
 /// Noise of space, one cell a unit; within sqrt(3)/2 of 0.
-TP_HD Noise3 gradient_noise(const NoiseHash& hash, Vec3 p) {
+TP_HD_NOINLINE Noise3 gradient_noise(const NoiseHash& hash, Vec3 p) {
     const Vec3 cell{std::floor(p.x), std::floor(p.y), std::floor(p.z)};
     const Vec3 f = p - cell;
     const Vec3 w{fade(f.x), fade(f.y), fade(f.z)};
     const Vec3 slope{fade_slope(f.x), fade_slope(f.y), fade_slope(f.z)};
     const uint32_t x = lattice_bits(cell.x), y = lattice_bits(cell.y), z = lattice_bits(cell.z);
+    // The hashes by themselves, eight of a kind, which compilers turn into vectors.
+    uint32_t bits[8];
+    for (uint32_t corner = 0; corner < 8; ++corner)
+        bits[corner] =
+            lattice_hash(hash, x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2));
     Noise3 n{0, {0, 0, 0}};
     for (uint32_t corner = 0; corner < 8; ++corner) {
         const uint32_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        const Vec3 g = lattice_gradient3(lattice_hash(hash, x + i, y + j, z + k));
+        const Vec3 g = lattice_gradient3(bits[corner]);
         const Vec3 step{static_cast<Real>(i), static_cast<Real>(j), static_cast<Real>(k)};
         const Real along = dot(g, f - step);
         const Real wx = i ? w.x : 1 - w.x, wy = j ? w.y : 1 - w.y, wz = k ? w.z : 1 - w.z;
