@@ -1,5 +1,6 @@
 // Saving: the same scene comes back, in the same words, with names and paths that still hold; the
 // file is written whole or not at all.
+#include "support/patterns.h"
 #include "support/shipped_scenes.h"
 #include "support/temporary_folder.h"
 
@@ -147,29 +148,8 @@ private:
         t.uv_rotation = number();
         t.uv_offset = {number(), 0};
         t.tint = color();
-        t.projection = kind<TextureProjection>();
-        t.space =
-            t.projection == TextureProjection::Uv ? kind<TextureSpace>() : TextureSpace::World;
-        t.sharpness = 1 + below(9);
-        for (TexturedColor* c : {&t.low, &t.stone, &t.early, &t.brick, &t.mortar})
-            *c = {color(), {}};
-        t.scale = vec3();
-        t.axis = kind<Axis>();
-        t.seed = static_cast<int>(below(1u << 31));
-        t.tea_rounds = 2 + static_cast<int>(below(31));
-        t.pattern = kind<NoisePattern>();
-        t.octaves = 1 + static_cast<int>(below(16));
-        t.lacunarity = 1 + 0.5 * below(4);
-        t.gain = 0.25 * below(5);
-        t.contrast = below(9);
-        t.distortion = below(9);
-        t.vein_power = 1 + below(9);
-        t.grain = 0.25 * below(5);
-        t.brick_size = {0.1 * (1 + below(9)), 0.1};
-        t.mortar_width = 0.01 * below(9);
-        t.mortar_blend = 0.5 * below(3);
-        t.row_offset = 0.25 * below(5);
-        t.variation = 0.25 * below(5);
+        t.low = t.stone = t.early = t.brick = t.mortar = t.odd;
+        test::randomize_pattern(t, vec3(), [&](size_t n) { return below(n); });
         return t;
     }
     TexturedNumber textured(const Scene& s, TexturedNumber standard) {
@@ -256,23 +236,6 @@ private:
     std::mt19937 random_;
 };
 
-// The numbers of noise, marble, wood or brick.
-void check_same_pattern(const Texture& x, const Texture& y) {
-    CHECK((x.space == y.space && x.seed == y.seed && x.tea_rounds == y.tea_rounds));
-    if (x.kind == TextureKind::Brick) {
-        CHECK((x.brick_size == y.brick_size && x.mortar_width == y.mortar_width &&
-               x.mortar_blend == y.mortar_blend && x.row_offset == y.row_offset &&
-               x.variation == y.variation));
-        return;
-    }
-    CHECK((x.scale == y.scale && x.octaves == y.octaves && x.lacunarity == y.lacunarity &&
-           x.gain == y.gain));
-    if (x.kind == TextureKind::Noise) CHECK((x.pattern == y.pattern && x.contrast == y.contrast));
-    if (x.kind != TextureKind::Noise) CHECK((x.axis == y.axis && x.distortion == y.distortion));
-    if (x.kind == TextureKind::Marble) CHECK(x.vein_power == y.vein_power);
-    if (x.kind == TextureKind::Wood) CHECK(x.grain == y.grain);
-}
-
 // What a texture shows, whatever its name: its JSON with everything in place.
 void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
                       const TexturedColor& y) {
@@ -291,7 +254,7 @@ void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
                tx->tint == ty->tint && tx->projection == ty->projection && tx->space == ty->space &&
                tx->sharpness == ty->sharpness));
     if (tx->kind == TextureKind::Checker) CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
-    if (is_blend(tx->kind)) check_same_pattern(*tx, *ty);
+    if (is_blend(tx->kind)) test::check_same_pattern(*tx, *ty);
     const TexturePair px = pair_of(*tx), py = pair_of(*ty);
     if (!px.first) return;
     check_same_color(a, *px.first, b, *py.first);
