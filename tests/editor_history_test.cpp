@@ -129,6 +129,9 @@ const std::vector<std::pair<const char*, std::function<void(Scene&, Random&)>>>&
              t->filter = any<FilterMode>(r);
              t->frequency = number(r, 1, 20);
              t->cells = {number(r, 1, 9), number(r, 1, 9)};
+             t->pattern = any<NoisePattern>(r);
+             t->scale = triple(r, 1, 9);
+             t->seed = static_cast<int>(below(r, 100));
          }},
         {"background",
          [](Scene& s, Random& r) {

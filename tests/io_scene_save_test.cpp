@@ -1,11 +1,13 @@
 // Saving: the same scene comes back, in the same words, with names and paths that still hold; the
 // file is written whole or not at all.
+#include "support/patterns.h"
 #include "support/shipped_scenes.h"
 #include "support/temporary_folder.h"
 
 #include <teapath/core/error.h>
 #include <teapath/io/scene_file.h>
 #include <teapath/scene/enum_tables.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -136,6 +138,7 @@ private:
         // Only those before: no circles.
         t.even = {color(), {index > 0 && below(2) ? 3 * below(index) + 2 : 0}};
         t.odd.color = color();
+        t.high = t.vein = t.late = t.even;
         t.mode = kind<CheckerMode>();
         t.cells = {number(), 3};
         t.file.path = below(2) ? "image.png" : "";
@@ -145,6 +148,8 @@ private:
         t.uv_rotation = number();
         t.uv_offset = {number(), 0};
         t.tint = color();
+        t.low = t.stone = t.early = t.brick = t.mortar = t.odd;
+        test::randomize_pattern(t, vec3(), [&](size_t n) { return below(n); });
         return t;
     }
     TexturedNumber textured(const Scene& s, TexturedNumber standard) {
@@ -167,6 +172,8 @@ private:
         p.attenuation_distance = std::abs(number());
         p.normal = any_id(s.textures);
         p.normal_scale = number();
+        p.bump = any_id(s.textures);
+        p.bump_scale = number();
         p.dispersion = below(5);
         p.coat_normal = any_id(s.textures);
         p.coat_normal_scale = number();
@@ -244,12 +251,14 @@ void check_same_color(const Scene& a, const TexturedColor& x, const Scene& b,
         CHECK((tx->file == ty->file && tx->wrap == ty->wrap && tx->repeat == ty->repeat &&
                tx->wrap_v == ty->wrap_v && tx->uv_set == ty->uv_set &&
                tx->uv_rotation == ty->uv_rotation && tx->uv_offset == ty->uv_offset &&
-               tx->tint == ty->tint));
-    if (tx->kind == TextureKind::Checker) {
-        CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
-        check_same_color(a, tx->even, b, ty->even);
-        check_same_color(a, tx->odd, b, ty->odd);
-    }
+               tx->tint == ty->tint && tx->projection == ty->projection && tx->space == ty->space &&
+               tx->sharpness == ty->sharpness));
+    if (tx->kind == TextureKind::Checker) CHECK((tx->mode == ty->mode && tx->cells == ty->cells));
+    if (is_blend(tx->kind)) test::check_same_pattern(*tx, *ty);
+    const TexturePair px = pair_of(*tx), py = pair_of(*ty);
+    if (!px.first) return;
+    check_same_color(a, *px.first, b, *py.first);
+    check_same_color(a, *px.second, b, *py.second);
 }
 
 void check_same_texture(const Scene& a, TextureId x, const Scene& b, TextureId y) {
@@ -278,6 +287,8 @@ void check_same_surface(const Scene& a, const PrincipledSurface& x, const Scene&
     check_same_color(a, x.sheen_color, b, y.sheen_color);
     check_same_number(a, x.sheen_roughness, b, y.sheen_roughness);
     check_same_texture(a, x.normal, b, y.normal);
+    check_same_texture(a, x.bump, b, y.bump);
+    CHECK(x.bump_scale == y.bump_scale);
     check_same_texture(a, x.coat_normal, b, y.coat_normal);
     check_same_number(a, x.iridescence, b, y.iridescence);
     check_same_number(a, x.iridescence_thickness, b, y.iridescence_thickness);

@@ -1,5 +1,6 @@
 // Checks of scenes made in memory: each problem names its place in the JSON, and says how to mend
 // it.
+#include <teapath/scene/texture_uses.h>
 #include <teapath/scene/validate.h>
 
 #include <doctest/doctest.h>
@@ -211,6 +212,90 @@ TEST_CASE("validate: materials and textures") {
     });
 }
 
+TEST_CASE("validate: the numbers of patterns, triplanar images and bump maps") {
+    const auto pattern = [](TextureKind kind, auto change) {
+        return [=](Scene& s) {
+            Texture& t = s.textures.edit()[0];
+            t.kind = kind;
+            change(t);
+        };
+    };
+    check_fatal("textures.checks.scale[1]", "not finite",
+                pattern(TextureKind::Noise, [](Texture& t) { t.scale.y = kNan; }));
+    check_fatal("textures.checks.octaves", "out of range",
+                pattern(TextureKind::Noise, [](Texture& t) { t.octaves = 17; }));
+    check_fatal("textures.checks.tea_rounds", "out of range",
+                pattern(TextureKind::Marble, [](Texture& t) { t.tea_rounds = 1; }));
+    check_fatal("textures.checks.seed", "out of range",
+                pattern(TextureKind::Wood, [](Texture& t) { t.seed = -1; }));
+    check_fatal("textures.checks.vein_power", "out of range",
+                pattern(TextureKind::Marble, [](Texture& t) { t.vein_power = 0; }));
+    check_fatal("textures.checks.late", "negative",
+                pattern(TextureKind::Wood, [](Texture& t) { t.late.color = Double3(-1); }));
+    check_fatal("textures.checks.vein", "does not exist",
+                pattern(TextureKind::Marble, [](Texture& t) { t.vein.texture = {9}; }));
+    check_fatal("textures.checks.brick_size[0]", "out of range",
+                pattern(TextureKind::Brick, [](Texture& t) { t.brick_size.x = 0; }));
+    check_fatal("textures.checks.sharpness", "out of range",
+                pattern(TextureKind::Image, [](Texture& t) { t.sharpness = 0; }));
+    check_fatal("textures.checks.space", "no texture coordinates",
+                pattern(TextureKind::Image, [](Texture& t) {
+                    t.projection = TextureProjection::Triplanar;
+                    t.space = TextureSpace::Uv;
+                }));
+    const auto bump = [](TextureId texture, double scale) {
+        return [=](Scene& s) {
+            Material& m = s.materials.edit()[0];
+            m.kind = MaterialKind::Principled;
+            m.surface.bump = texture;
+            m.surface.bump_scale = scale;
+        };
+    };
+    check_fatal("materials.paint.bump", "does not exist", bump({9}, 1));
+    check_fatal("materials.paint.bump_scale", "not finite", bump({1}, kNan));
+}
+
+TEST_CASE("validate: textures of two colours nest four levels deep, in checkers too") {
+    // Each holds the next; the kinds in turn.
+    const auto chain = [](std::initializer_list<TextureKind> kinds, uint32_t last) {
+        Scene s = good_scene();
+        s.textures.edit().clear();
+        uint32_t id = 0;
+        for (const TextureKind kind : kinds) {
+            Texture t;
+            t.id = {++id};
+            t.name = fmt::format("t{}", id);
+            t.kind = kind;
+            const TextureId next{id < kinds.size() ? id + 1 : last};
+            t.even.texture = t.low.texture = t.vein.texture = t.early.texture = t.brick.texture =
+                next;
+            s.textures.edit().push_back(t);
+        }
+        return s;
+    };
+    using K = TextureKind;
+    CHECK(validate(chain({K::Noise, K::Marble, K::Wood, K::Brick}, 0)).empty());
+    CHECK(validate(chain({K::Checker, K::Noise, K::Checker, K::Wood, K::Brick}, 0)).empty());
+    const std::vector<Problem> deep =
+        validate(chain({K::Noise, K::Noise, K::Marble, K::Checker, K::Wood, K::Brick}, 0));
+    REQUIRE(deep.size() == 1);
+    CHECK(deep[0].where == "textures.t1");
+    CHECK(deep[0].what == "the textures that mix colours nest too deeply");
+    for (const uint32_t start : {1u, 3u}) {
+        const std::vector<Problem> circle =
+            validate(chain({K::Noise, K::Checker, K::Brick, K::Wood}, start));
+        REQUIRE(circle.size() == 1);
+        CHECK(circle[0].what == "the texture contains itself");
+        CHECK(circle[0].where >= fmt::format("textures.t{}", start));
+    }
+    // What a texture of another kind would hold is no circle yet, but the menus look at it.
+    Scene other = chain({K::Noise, K::Constant}, 1);
+    CHECK(validate(other).empty());
+    CHECK(holds(other, {1}, {2}));
+    CHECK(holds(other, {2}, {1}));
+    CHECK_FALSE(holds(chain({K::Noise, K::Constant}, 0), {2}, {1}));
+}
+
 TEST_CASE("validate: checkers may share and nest, but not turn in a circle") {
     const auto chain = [](uint32_t length, uint32_t last) {
         Scene s = good_scene();
@@ -228,7 +313,7 @@ TEST_CASE("validate: checkers may share and nest, but not turn in a circle") {
     CHECK(validate(chain(64, 0)).empty());
     REQUIRE(validate(chain(65, 0)).size() == 1);
     CHECK(validate(chain(65, 0))[0].where == "textures.t1");
-    CHECK(validate(chain(65, 0))[0].what == "the checkers nest too deeply");
+    CHECK(validate(chain(65, 0))[0].what == "the textures nest too deeply");
     CHECK(validate(chain(20000, 0)).size() == 1);
     for (const uint32_t start : {1u, 5u, 9u}) {
         const std::vector<Problem> problems = validate(chain(9, start));

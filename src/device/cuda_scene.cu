@@ -64,7 +64,7 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
     std::vector<MeshView> mesh_views;
     for (const CudaMesh& mesh : meshes_)
         mesh_views.push_back(mesh.view());
-    const std::array<Source, 18> sources = {
+    const std::array<Source, 19> sources = {
         source_of(arrays.hittables, either),
         source_of(arrays.nodes, SceneParts::Geometry),
         source_of(arrays.lights, either),
@@ -82,10 +82,11 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
         source_of(albedo.glass, SceneParts::None),
         source_of(environment.rows, environment_parts),
         source_of(environment.cells, environment_parts),
-        source_of(arrays.light_nodes, either)};
+        source_of(arrays.light_nodes, either),
+        source_of(arrays.placements, SceneParts::Geometry)};
 
     // Where each array goes; the allocation is made anew where the sizes have changed.
-    std::array<size_t, 18> offsets{};
+    std::array<size_t, 19> offsets{};
     std::vector<size_t> layout;
     size_t total = 0;
     for (size_t i = 0; i < sources.size(); ++i) {
@@ -127,6 +128,7 @@ void CudaScene::upload(const SceneArrays& arrays, SceneParts parts, const Stream
                          span_at(memory, offsets[16], environment.cells), environment.width,
                          environment.height};
     view_.light_nodes = span_at(memory, offsets[17], arrays.light_nodes);
+    view_.placements = span_at(memory, offsets[18], arrays.placements);
     view_.background = arrays.background;
     view_.bounds = arrays.bounds;
     view_.brute_force = arrays.brute_force;

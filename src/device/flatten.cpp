@@ -30,6 +30,14 @@ uint8_t hidden_from(const Object& object) {
                                 (object.reflection_visible ? 0 : kRayScattered));
 }
 
+// Notes how the world lies in the space of an object that is a shape; nothing where both are one.
+void note_placement(const Object& object, uint32_t hittable, SceneArrays& arrays) {
+    if (object.transform == Transform{}) return;
+    const DoubleMat4 map = glm::inverse(world_from_object(object.transform));
+    const Affine affine{Mat3(DoubleMat3(map)), Vec3(Double3(map[3]))};
+    if (is_finite(affine)) arrays.placements.push_back({hittable, affine});
+}
+
 void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
     // The hittables of what can be seen, in the objects' order. What reaches beyond the kernels'
     // numbers is left out.
@@ -51,13 +59,16 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
         }
     });
     std::vector<Hittable> hittables;
+    std::vector<uint32_t> objects;  // of each
     hittables.reserve(shapes.size());
+    objects.reserve(shapes.size());
     MeshCollector meshes(arrays);
     for (size_t i = 0; i < shapes.size(); ++i) {
         if (!shapes[i]) continue;
         if (shapes[i]->kind == HittableKind::Mesh && !meshes.place(scene.objects[i], *shapes[i]))
             continue;
         hittables.push_back(*shapes[i]);
+        objects.push_back(static_cast<uint32_t>(i));
     }
     meshes.finish();
 
@@ -69,12 +80,15 @@ void flatten_geometry(const Scene& scene, SceneArrays& arrays) {
     });
     BvhTree tree = build_bvh(boxes);
     arrays.hittables.resize(hittables.size());
+    arrays.placements.clear();
     arrays.features &= ~(kFeatureShapes | kFeatureMeshes | kFeatureHiding);
     if (!arrays.instances.empty()) arrays.features |= kFeatureMeshes;
     for (size_t i = 0; i < hittables.size(); ++i) {
         arrays.hittables[i] = hittables[tree.order[i]];
         if (arrays.hittables[i].kind != HittableKind::Sphere) arrays.features |= kFeatureShapes;
         if (arrays.hittables[i].hidden_from != 0) arrays.features |= kFeatureHiding;
+        if (arrays.hittables[i].kind != HittableKind::Mesh)
+            note_placement(scene.objects[objects[tree.order[i]]], static_cast<uint32_t>(i), arrays);
     }
     arrays.nodes = std::move(tree.nodes);
     arrays.bounds = tree.bounds;
@@ -129,9 +143,10 @@ size_t bytes_of(const std::vector<T>& v) {
 }  // namespace
 
 size_t SceneArrays::bytes() const {
-    size_t sum = bytes_of(hittables) + bytes_of(nodes) + bytes_of(instances) + bytes_of(lights) +
-                 bytes_of(light_nodes) + bytes_of(materials) + bytes_of(principled) +
-                 bytes_of(material_ids) + bytes_of(textures) + bytes_of(texels);
+    size_t sum = bytes_of(hittables) + bytes_of(nodes) + bytes_of(instances) +
+                 bytes_of(placements) + bytes_of(lights) + bytes_of(light_nodes) +
+                 bytes_of(materials) + bytes_of(principled) + bytes_of(material_ids) +
+                 bytes_of(textures) + bytes_of(texels);
     if (environment) sum += environment->bytes();
     for (const MeshOfScene& mesh : meshes)
         sum += mesh.arrays->bytes();

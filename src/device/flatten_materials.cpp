@@ -86,6 +86,8 @@ PrincipledRecord principled_record(const Material& m, const TexturePacker& textu
     r.sheen_roughness = textures.number_ref(s.sheen_roughness);
     r.normal = textures.index_of(s.normal);
     r.normal_scale = static_cast<Real>(s.normal_scale);
+    r.bump = textures.index_of(s.bump);
+    r.bump_scale = static_cast<Real>(s.bump_scale);
     r.compensation = s.compensation;
     return r;
 }
@@ -122,13 +124,15 @@ void flatten_materials(const Scene& scene, SceneArrays& arrays) {
     arrays.materials.assign(1, record_of(Material{}, textures));
     arrays.material_ids.assign(1, 0);
     arrays.principled.clear();
-    arrays.features &= ~(kFeatureTextures | kFeatureOpacity | kFeaturePrincipled);
+    arrays.features &=
+        ~(kFeatureTextures | kFeatureOpacity | kFeaturePrincipled | kFeatureProcedural);
     const bool vertex_alpha = has_vertex_alpha(scene);
     for (const Material& m : scene.materials) {
         arrays.materials.push_back(record_of(m, textures));
         if (m.kind == MaterialKind::Principled) {
             arrays.materials.back().principled = static_cast<uint32_t>(arrays.principled.size());
             arrays.principled.push_back(principled_record(m, textures));
+            if (arrays.principled.back().bump >= 0) arrays.features |= kFeatureProcedural;
         }
         arrays.material_ids.push_back(m.id.value);
         const bool looks_at_alpha = m.alpha != AlphaMode::Opaque;
@@ -137,6 +141,7 @@ void flatten_materials(const Scene& scene, SceneArrays& arrays) {
             arrays.features |= kFeatureOpacity;
     }
     if (!arrays.principled.empty()) arrays.features |= kFeaturePrincipled;
+    if (textures.has_procedural()) arrays.features |= kFeatureProcedural;
     flatten_background(scene.background, textures, arrays);
     if (!arrays.textures.empty() || scene.background.kind == BackgroundKind::Image)
         arrays.features |= kFeatureTextures;

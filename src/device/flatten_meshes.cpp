@@ -18,11 +18,6 @@ Bounds placed_bounds(const Bounds& b, const DoubleMat4& world_from_object) {
     return placed;
 }
 
-bool is_finite(const Affine& a) {
-    return tp::is_finite(a.linear[0]) && tp::is_finite(a.linear[1]) && tp::is_finite(a.linear[2]) &&
-           tp::is_finite(a.offset);
-}
-
 }  // namespace
 
 MeshCollector::MeshCollector(SceneArrays& arrays) : arrays_(arrays) {

@@ -13,6 +13,7 @@ SceneView host_view(const SceneArrays& arrays, std::vector<MeshView>& meshes) {
     view.nodes = make_span(arrays.nodes);
     view.meshes = {meshes.data(), static_cast<uint32_t>(meshes.size())};
     view.instances = make_span(arrays.instances);
+    view.placements = make_span(arrays.placements);
     view.lights = make_span(arrays.lights);
     view.light_nodes = make_span(arrays.light_nodes);
     view.materials = make_span(arrays.materials);

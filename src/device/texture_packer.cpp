@@ -1,5 +1,8 @@
 #include "texture_packer.h"
 
+#include <teapath/scene/texture_uses.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -14,6 +17,25 @@ WrapMode wrap_v_of(const Texture& texture) {
         case WrapModeV::AsU: break;
     }
     return texture.wrap;
+}
+
+// The finest features of a pattern in a unit of its space. Octaves of less than a tenth of the
+// weight are passed over.
+double detail_of(const Texture& t) {
+    if (t.kind == TextureKind::Brick) {
+        const double joint = t.mortar_width * std::min(t.mortar_blend, 1.0);
+        return 1 / std::max(joint, 0.02 * std::min(t.brick_size.x, t.brick_size.y));
+    }
+    double detail = std::max({std::abs(t.scale.x), std::abs(t.scale.y), std::abs(t.scale.z)});
+    if (t.kind == TextureKind::Wood) return 14 * detail;  // its fibres
+    double weight = 1;
+    const bool is_one = t.kind == TextureKind::Noise && t.pattern == NoisePattern::Gradient;
+    for (int i = 1; i < t.octaves && !is_one; ++i) {
+        weight *= t.gain;
+        if (weight < 0.1) break;
+        detail *= t.lacunarity;
+    }
+    return detail;
 }
 
 }  // namespace
@@ -63,11 +85,18 @@ bool TexturePacker::has_alpha(const TexturedColor& c) {
     const auto [known, is_new] = alpha_.try_emplace(c.texture.value, false);
     if (!is_new) return known->second;
     const Texture& texture = scene_.textures[static_cast<size_t>(found->second)];
-    const bool alpha = texture.kind == TextureKind::Checker
-                           ? has_alpha(texture.even) || has_alpha(texture.odd)
-                           : texture.kind == TextureKind::Image && texture.file.image &&
-                                 texture.file.image->channels % 2 == 0;
+    const TexturePair pair = pair_of(texture);
+    const bool alpha = pair.first ? has_alpha(*pair.first) || has_alpha(*pair.second)
+                                  : texture.kind == TextureKind::Image && texture.file.image &&
+                                        texture.file.image->channels % 2 == 0;
     return alpha_[c.texture.value] = alpha;
+}
+
+bool TexturePacker::has_procedural() const {
+    return std::any_of(scene_.textures.begin(), scene_.textures.end(), [](const Texture& t) {
+        return is_blend(t.kind) ||
+               (t.kind == TextureKind::Image && t.projection == TextureProjection::Triplanar);
+    });
 }
 
 TextureRecord TexturePacker::record_of(const Texture& texture) {
@@ -78,6 +107,8 @@ TextureRecord TexturePacker::record_of(const Texture& texture) {
     } else if (texture.kind == TextureKind::Checker) {
         record.checker = {color_ref(texture.even), color_ref(texture.odd), texture.mode,
                           Vec2(texture.cells), static_cast<Real>(texture.frequency)};
+    } else if (is_blend(texture.kind)) {
+        record.pattern = pattern_record(texture);
     } else if (!texture.file.image) {
         record.kind = TextureKind::Constant;
         record.constant = {0, 1, 1};  // missing: cyan
@@ -107,7 +138,36 @@ ImageRecord TexturePacker::image_record(const Texture& texture) {
             texture.filter,
             Vec3(cosine * texture.repeat.x, sine * texture.repeat.y, texture.uv_offset.x),
             Vec3(-sine * texture.repeat.x, cosine * texture.repeat.y, texture.uv_offset.y),
-            Vec3(texture.tint)};
+            Vec3(texture.tint),
+            texture.projection,
+            texture.space,
+            static_cast<Real>(texture.sharpness)};
+}
+
+PatternRecord TexturePacker::pattern_record(const Texture& t) const {
+    const TexturePair pair = pair_of(t);
+    PatternRecord r;
+    r.first = color_ref(*pair.first);
+    r.second = color_ref(*pair.second);
+    r.key = tea_key(0, static_cast<uint64_t>(t.seed));
+    r.rounds = static_cast<uint8_t>(t.tea_rounds);
+    r.octaves = static_cast<uint8_t>(t.octaves);
+    r.pattern = t.pattern;
+    r.space = t.space;
+    r.axis = t.axis;
+    r.detail = static_cast<Real>(detail_of(t));
+    r.scale = t.kind == TextureKind::Brick
+                  ? Vec3(Double3(t.brick_size.x, t.brick_size.y, t.mortar_width))
+                  : Vec3(t.scale);
+    r.lacunarity = static_cast<Real>(t.lacunarity);
+    r.gain = static_cast<Real>(t.gain);
+    r.contrast = static_cast<Real>(t.kind == TextureKind::Noise    ? t.contrast
+                                   : t.kind == TextureKind::Marble ? t.vein_power
+                                   : t.kind == TextureKind::Wood   ? t.grain
+                                                                   : t.variation);
+    r.distortion = static_cast<Real>(t.kind == TextureKind::Brick ? t.row_offset : t.distortion);
+    r.edge = static_cast<Real>(t.mortar_blend);
+    return r;
 }
 
 uint64_t TexturePacker::offset_of(const Image& image) {

@@ -29,9 +29,13 @@ public:
     /// True if the colour's texture has an alpha channel.
     bool has_alpha(const TexturedColor& c);
 
+    /// True if some texture needs kFeatureProcedural.
+    bool has_procedural() const;
+
 private:
     TextureRecord record_of(const Texture& texture);
     ImageRecord image_record(const Texture& texture);
+    PatternRecord pattern_record(const Texture& texture) const;
     uint64_t offset_of(const Image& image);
 
     const Scene& scene_;

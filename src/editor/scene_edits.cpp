@@ -1,6 +1,7 @@
 #include "scene_things.h"
 
 #include <teapath/editor/scene_edits.h>
+#include <teapath/scene/enum_tables.h>
 
 #include <algorithm>
 #include <cmath>
@@ -164,9 +165,9 @@ TextureId add_texture(Scene& scene, TextureKind kind) {
     Texture texture;
     texture.id = next_id(scene.textures);
     texture.kind = kind;
-    texture.name = free_name(scene.textures, kind == TextureKind::Image     ? "image"
-                                             : kind == TextureKind::Checker ? "checker"
-                                                                            : "colour");
+    texture.name =
+        free_name(scene.textures, kind == TextureKind::Constant ? std::string("colour")
+                                                                : std::string(enum_name(kind)));
     scene.textures.edit().push_back(texture);
     return texture.id;
 }

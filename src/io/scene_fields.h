@@ -28,6 +28,17 @@ void camera_fields(V& v, Camera& c) {
 }
 
 template <class V>
+void noise_fields(V& v, Texture& t) {
+    v("space", t.space);
+    v("scale", t.scale);
+    v("octaves", t.octaves);
+    v("lacunarity", t.lacunarity);
+    v("gain", t.gain);
+    v("seed", t.seed);
+    v("tea_rounds", t.tea_rounds);
+}
+
+template <class V>
 void texture_fields(V& v, Texture& t) {
     v.kind("type", t.kind);
     switch (t.kind) {
@@ -50,6 +61,44 @@ void texture_fields(V& v, Texture& t) {
             v("uv_rotation", t.uv_rotation);
             v("uv_offset", t.uv_offset);
             v.color("tint", t.tint);
+            v("projection", t.projection);
+            v("space", t.space);
+            v("sharpness", t.sharpness);
+            break;
+        case TextureKind::Noise:
+            v("low", t.low);
+            v("high", t.high);
+            v("pattern", t.pattern);
+            v("contrast", t.contrast);
+            noise_fields(v, t);
+            break;
+        case TextureKind::Marble:
+            v("stone", t.stone);
+            v("vein", t.vein);
+            v("axis", t.axis);
+            v("distortion", t.distortion);
+            v("vein_power", t.vein_power);
+            noise_fields(v, t);
+            break;
+        case TextureKind::Wood:
+            v("early", t.early);
+            v("late", t.late);
+            v("axis", t.axis);
+            v("distortion", t.distortion);
+            v("grain", t.grain);
+            noise_fields(v, t);
+            break;
+        case TextureKind::Brick:
+            v("brick", t.brick);
+            v("mortar", t.mortar);
+            v("brick_size", t.brick_size);
+            v("mortar_width", t.mortar_width);
+            v("mortar_blend", t.mortar_blend);
+            v("row_offset", t.row_offset);
+            v("variation", t.variation);
+            v("space", t.space);
+            v("seed", t.seed);
+            v("tea_rounds", t.tea_rounds);
             break;
     }
 }
@@ -81,6 +130,8 @@ void principled_fields(V& v, PrincipledSurface& s) {
     v("iridescence_thickness", s.iridescence_thickness);
     v.texture("normal", s.normal);
     v("normal_scale", s.normal_scale);
+    v.texture("bump", s.bump);
+    v("bump_scale", s.bump_scale);
     v("compensation", s.compensation);
 }
 

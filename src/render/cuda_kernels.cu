@@ -193,6 +193,7 @@ std::vector<KernelReport> kernel_reports() {
     add.operator()<kVariantSpheres>("spheres, constant colours");
     add.operator()<kVariantLit>("all shapes and lights, constant colours");
     add.operator()<kVariantBooks>("no meshes, no principled surfaces");
+    add.operator()<kVariantModels>("no procedural textures, no bump maps");
     add.operator()<kVariantGeneral>("general");
     return reports;
 }

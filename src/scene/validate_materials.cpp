@@ -1,18 +1,17 @@
 // Checks of textures and materials; what has no name is called by the first place that uses it.
 #include "problem_list.h"
 
+#include <teapath/core/tea.h>
 #include <teapath/scene/texture_uses.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
 
 namespace tp {
 namespace {
-
-// Deeper nests of checkers would be a mistake, and would cost a step of each look-up.
-constexpr int kMaxCheckerNesting = 64;
 
 class MaterialChecker {
 public:
@@ -78,13 +77,64 @@ private:
     }
 
     void check_texture(const Texture& t, const Place& where) {
-        if (t.kind == TextureKind::Constant) problems_.color(where / "color", t.color);
-        if (t.kind == TextureKind::Image) check_image(t, where);
-        if (t.kind != TextureKind::Checker) return;
-        check_color(t.even, where / "even");
-        check_color(t.odd, where / "odd");
-        problems_.finite(where / "cells", t.cells);
-        problems_.finite(where / "frequency", t.frequency);
+        const auto colors = [&](const char* first, const char* second) {
+            check_color(*pair_of(t).first, where / first);
+            check_color(*pair_of(t).second, where / second);
+        };
+        switch (t.kind) {
+            case TextureKind::Constant: problems_.color(where / "color", t.color); break;
+            case TextureKind::Image: check_image(t, where); break;
+            case TextureKind::Checker:
+                colors("even", "odd");
+                problems_.finite(where / "cells", t.cells);
+                problems_.finite(where / "frequency", t.frequency);
+                break;
+            case TextureKind::Noise:
+                colors("low", "high");
+                problems_.in_range(where / "contrast", t.contrast, 0.0, 100.0);
+                check_noise(t, where);
+                break;
+            case TextureKind::Marble:
+                colors("stone", "vein");
+                problems_.in_range(where / "distortion", t.distortion, 0.0, 100.0);
+                problems_.in_range(where / "vein_power", t.vein_power, 0.1, 100.0);
+                check_noise(t, where);
+                break;
+            case TextureKind::Wood:
+                colors("early", "late");
+                problems_.in_range(where / "distortion", t.distortion, 0.0, 100.0);
+                problems_.in_range(where / "grain", t.grain, 0.0, 1.0);
+                check_noise(t, where);
+                break;
+            case TextureKind::Brick:
+                colors("brick", "mortar");
+                check_brick(t, where);
+                break;
+        }
+    }
+
+    void check_hash(const Texture& t, const Place& where) {
+        problems_.in_range(where / "seed", t.seed, 0, std::numeric_limits<int>::max());
+        problems_.in_range(where / "tea_rounds", t.tea_rounds, kMinNoiseRounds, kMaxTeaRounds);
+    }
+
+    void check_noise(const Texture& t, const Place& where) {
+        problems_.finite(where / "scale", t.scale);
+        problems_.in_range(where / "octaves", t.octaves, 1, kMaxOctaves);
+        problems_.in_range(where / "lacunarity", t.lacunarity, 1.0, 8.0);
+        problems_.in_range(where / "gain", t.gain, 0.0, 1.0);
+        check_hash(t, where);
+    }
+
+    void check_brick(const Texture& t, const Place& where) {
+        const Place size = where / "brick_size";
+        problems_.in_range(size[0], t.brick_size.x, 1e-6, 1e6);
+        problems_.in_range(size[1], t.brick_size.y, 1e-6, 1e6);
+        problems_.in_range(where / "mortar_width", t.mortar_width, 0.0, 1e6);
+        problems_.in_range(where / "mortar_blend", t.mortar_blend, 0.0, 10.0);
+        problems_.in_range(where / "row_offset", t.row_offset, 0.0, 1.0);
+        problems_.in_range(where / "variation", t.variation, 0.0, 1.0);
+        check_hash(t, where);
     }
 
     void check_image(const Texture& t, const Place& where) {
@@ -93,44 +143,56 @@ private:
         problems_.finite(where / "uv_rotation", t.uv_rotation);
         problems_.finite(where / "uv_offset", t.uv_offset);
         problems_.color(where / "tint", t.tint);
+        problems_.in_range(where / "sharpness", t.sharpness, 0.1, 64.0);
+        if (t.projection == TextureProjection::Triplanar && t.space == TextureSpace::Uv)
+            problems_.fatal(where / "space", "a triplanar image has no texture coordinates",
+                            "choose object or world");
     }
 
-    // The checkers directly inside a checker.
-    std::vector<TextureId> inner_checkers(const Texture& t) const {
+    // The textures of two colours directly inside such a texture.
+    std::vector<TextureId> inner_pairs(const Texture& t) const {
         std::vector<TextureId> inner;
-        if (t.kind != TextureKind::Checker) return inner;
-        for (const TextureId id : {t.even.texture, t.odd.texture})
+        const TexturePair pair = pair_of(t);
+        if (!pair.first) return inner;
+        for (const TextureId id : {pair.first->texture, pair.second->texture})
             if (const auto found = textures_.find(id);
-                found != textures_.end() && found->second->kind == TextureKind::Checker)
+                found != textures_.end() && pair_of(*found->second).first)
                 inner.push_back(id);
         return inner;
     }
 
-    // Levels of each checker, from those without inner ones upwards; a circle is never reached.
+    // How deep a texture goes: levels of any kind, and levels whose both colours are looked up.
+    struct Levels {
+        int all = 0, blends = 0;
+    };
+
+    // Levels of each texture, from those without inner ones upwards; a circle is never reached.
     void check_nesting() {
         std::map<TextureId, std::vector<TextureId>> outer;
         std::map<TextureId, size_t> open;
-        std::map<TextureId, int> levels;
+        std::map<TextureId, Levels> inside;  // of what is in the texture
         std::vector<TextureId> ready;
         for (const Texture& t : scene_.textures) {
-            if (t.kind != TextureKind::Checker) continue;
-            const std::vector<TextureId> inner = inner_checkers(t);
+            if (!pair_of(t).first) continue;
+            const std::vector<TextureId> inner = inner_pairs(t);
             for (const TextureId id : inner)
                 outer[id].push_back(t.id);
             if (inner.empty()) ready.push_back(t.id);
             if (!inner.empty()) open[t.id] = inner.size();
         }
-        int deepest = 0;
+        Levels deepest;
         while (!ready.empty()) {
             const TextureId id = ready.back();
             ready.pop_back();
-            const int level = levels[id] + 1;
-            if (level > kMaxCheckerNesting && deepest <= kMaxCheckerNesting)
-                problems_.fatal(place_of(id), "the checkers nest too deeply",
-                                fmt::format("at most {} levels", kMaxCheckerNesting));
-            deepest = std::max(deepest, level);
+            Levels levels = inside[id];
+            ++levels.all;
+            levels.blends += is_blend(textures_[id]->kind);
+            check_depth(id, levels, deepest);
+            deepest.all = std::max(deepest.all, levels.all);
+            deepest.blends = std::max(deepest.blends, levels.blends);
             for (const TextureId o : outer[id]) {
-                levels[o] = std::max(levels[o], level);
+                inside[o].all = std::max(inside[o].all, levels.all);
+                inside[o].blends = std::max(inside[o].blends, levels.blends);
                 if (--open[o] == 0) {
                     open.erase(o);
                     ready.push_back(o);
@@ -140,15 +202,26 @@ private:
         if (!open.empty()) report_circle(open);
     }
 
-    // Of the checkers that are in a circle or hold one, names one that is in it.
+    // Names the first texture that goes too deep, but none that has such a one inside.
+    void check_depth(TextureId id, const Levels& levels, const Levels& deepest) {
+        if (levels.all > kMaxTextureNesting && deepest.all <= kMaxTextureNesting)
+            problems_.fatal(place_of(id), "the textures nest too deeply",
+                            fmt::format("at most {} levels", kMaxTextureNesting));
+        if (levels.blends > kMaxBlendNesting && deepest.blends <= kMaxBlendNesting)
+            problems_.fatal(place_of(id), "the textures that mix colours nest too deeply",
+                            fmt::format("at most {} levels of noise, marble, wood and brick",
+                                        kMaxBlendNesting));
+    }
+
+    // Of the textures that are in a circle or hold one, names one that is in it.
     void report_circle(const std::map<TextureId, size_t>& open) {
         std::set<TextureId> walked;
         TextureId id = open.begin()->first;
         while (walked.insert(id).second)
-            for (const TextureId inner : inner_checkers(*textures_[id]))
+            for (const TextureId inner : inner_pairs(*textures_[id]))
                 if (open.count(inner)) id = inner;
         problems_.fatal(place_of(id), "the texture contains itself",
-                        "break the circle of checkers");
+                        "break the circle of textures");
     }
 
     void check_material(const Material& m, const Place& where) {
@@ -211,6 +284,8 @@ private:
         check_number(s.sheen_roughness, where / "sheen_roughness");
         check_texture_id(s.normal, where / "normal");
         problems_.finite(where / "normal_scale", s.normal_scale);
+        check_texture_id(s.bump, where / "bump");
+        problems_.finite(where / "bump_scale", s.bump_scale);
     }
 
     void check_film(const PrincipledSurface& s, const Place& where) {

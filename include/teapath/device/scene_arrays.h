@@ -36,10 +36,11 @@ struct MeshOfScene {
 };
 
 struct SceneArrays {
-    std::vector<Hittable> hittables;        // in the order of the tree's leaves
-    std::vector<BvhNode> nodes;             // node 0 is the root; empty for an empty scene
-    std::vector<MeshOfScene> meshes;        // each once, however many instances it has
-    std::vector<InstanceRecord> instances;  // in the order of the objects
+    std::vector<Hittable> hittables;          // in the order of the tree's leaves
+    std::vector<BvhNode> nodes;               // node 0 is the root; empty for an empty scene
+    std::vector<MeshOfScene> meshes;          // each once, however many instances it has
+    std::vector<InstanceRecord> instances;    // in the order of the objects
+    std::vector<PlacementRecord> placements;  // of shapes with a transform, by growing hittable
     std::vector<LightRecord> lights;
     std::vector<LightNode> light_nodes;  // node 0 is the root; empty without lights
     std::vector<MaterialRecord> materials;

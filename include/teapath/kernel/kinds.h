@@ -17,7 +17,27 @@ enum class MaterialKind : uint8_t {
     Conductor
 };
 
-enum class TextureKind : uint8_t { Constant, Checker, Image };
+enum class TextureKind : uint8_t { Constant, Checker, Image, Noise, Marble, Wood, Brick };
+
+/// Where the pattern of a texture lies: it moves with the object, it stays in the world, or it lies
+/// on the surface by its texture coordinates.
+enum class TextureSpace : uint8_t { Object, World, Uv };
+
+/// What a noise texture makes of gradient noise (kernel/noise.h).
+enum class NoisePattern : uint8_t { Gradient, Fbm, Turbulence, Ridged };
+
+enum class Axis : uint8_t { X, Y, Z };
+
+/// How an image is laid on a surface: by texture coordinates, or from three sides at once.
+enum class TextureProjection : uint8_t { Uv, Triplanar };
+
+/// Textures inside textures, at most; of those that mix two colours, whose both sides are looked
+/// up, fewer.
+inline constexpr int kMaxTextureNesting = 64;
+inline constexpr int kMaxBlendNesting = 4;
+
+inline constexpr int kMaxOctaves = 16;
+inline constexpr int kMinNoiseRounds = 2;  // of the TEA; kMaxTeaRounds at most
 
 /// Which side of a shape a light emits on. Auto: front for flat shapes, outside for closed ones.
 /// Front is the side of the normal; Outside the outer side of a closed shape even where its normal

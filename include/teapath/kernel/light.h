@@ -31,11 +31,16 @@ TP_HD Surface surface_of_emitter(const SceneView& scene, const LightRecord& ligh
                                  const Hittable& emitter, const SurfacePoint& point) {
     Surface s;
     s.point = point;
+    s.normal = point.normal;
+    note_place<kFeatures>(light.hittable, light.primitive, s);
     if constexpr ((kFeatures & kFeatureMeshes) != 0) {
         if (emitter.kind == HittableKind::Mesh) {
             const InstanceRecord& instance = scene.instances[emitter.mesh.instance];
             const MeshView& mesh = scene.meshes[instance.mesh];
-            add_mesh_attributes<kFeatures>(mesh, instance, mesh.triangles[light.primitive], s);
+            const MeshTriangle& triangle = mesh.triangles[light.primitive];
+            add_mesh_attributes<kFeatures>(mesh, instance, triangle, s);
+            if constexpr ((kFeatures & kFeatureProcedural) != 0)
+                s.normal = shading_normal_at(mesh, instance, triangle, point);
             return s;
         }
     }

@@ -18,7 +18,19 @@ struct Surface {
     // Of what has a direction along the surface: +x of normal maps, and the sign of the bitangent
     // w * n x t, which points to the top of the image. Zero: none is known.
     Vec4 tangent{0, 0, 0, 1};
+    uint32_t hittable = kNoHit, primitive = 0;  // where procedural textures are
 };
+
+/// Where the surface's textures are read.
+template <uint32_t kFeatures>
+TP_HD TexturePoint texture_point(const Surface& s) {
+    TexturePoint at{s.uv, s.uv1, s.point.position};
+    if constexpr ((kFeatures & kFeatureProcedural) != 0) {
+        at.normal = dot(s.normal, s.point.normal) < 0 ? -s.normal : s.normal;
+        at.hittable = s.hittable;
+    }
+    return at;
+}
 
 /// Fills what a mesh knows of its surface at triangle `primitive`, at the weights in s.point.uv.
 template <uint32_t kFeatures>
@@ -32,6 +44,15 @@ TP_HD void add_mesh_attributes(const MeshView& mesh, const InstanceRecord& insta
         s.tangent = mesh_tangent(mesh, instance, triangle, s.point);
     if (mesh.attributes.colors)
         s.color = interpolate(mesh.attributes.colors, triangle, barycentric_at(s.point.uv));
+}
+
+/// Notes where the surface is, which textures of its object's space and bump maps look up.
+template <uint32_t kFeatures>
+TP_HD void note_place(uint32_t hittable, uint32_t primitive, Surface& s) {
+    if constexpr ((kFeatures & kFeatureProcedural) != 0) {
+        s.hittable = hittable;
+        s.primitive = primitive;
+    }
 }
 
 /// The surface where the ray met a mesh.
@@ -48,6 +69,7 @@ TP_HD Surface make_mesh_surface(const SceneView& scene, const Hittable& h, Vec3 
     s.front = dot(direction, s.point.normal) < 0;
     s.normal = dot(direction, shading) < 0 ? shading : -shading;
     add_mesh_attributes<kFeatures>(mesh, instance, triangle, s);
+    note_place<kFeatures>(hit.index, hit.primitive, s);
     return s;
 }
 
@@ -74,13 +96,14 @@ TP_HD Surface make_surface(const SceneView& scene, const Hittable& h, Vec3 origi
     if constexpr ((kFeatures & kFeaturePrincipled) != 0) {
         s.tangent = shape_tangent(h, s.point.normal);
     }
+    note_place<kFeatures>(hit.index, hit.primitive, s);
     return s;
 }
 
 template <uint32_t kFeatures>
 TP_HD Vec4 material_color(const SceneView& scene, const ColorRef& ref, const Surface& s) {
     if constexpr ((kFeatures & kFeatureTextures) != 0)
-        return color_at(scene, ref, {s.uv, s.uv1, s.point.position});
+        return color_at<kFeatures>(scene, ref, texture_point<kFeatures>(s));
     else
         return Vec4(ref.color, 1);
 }

@@ -1,8 +1,8 @@
-// The parameters of a principled surface where a ray met it: textures looked up, normal map
-// applied.
+// The parameters of a principled surface where a ray met it: textures looked up, normal and bump
+// map applied.
 #pragma once
 
-#include <teapath/kernel/material.h>
+#include <teapath/kernel/bump.h>
 
 namespace tp {
 
@@ -10,8 +10,8 @@ template <uint32_t kFeatures>
 TP_HD Real number_at(const SceneView& scene, const NumberRef& ref, const Surface& s) {
     if constexpr ((kFeatures & kFeatureTextures) != 0) {
         if (ref.texture >= 0)
-            return ref.value * color_at(scene, ColorRef{{0, 0, 0}, ref.texture},
-                                        {s.uv, s.uv1, s.point.position})[ref.channel];
+            return ref.value * color_at<kFeatures>(scene, ColorRef{{0, 0, 0}, ref.texture},
+                                                   texture_point<kFeatures>(s))[ref.channel];
     }
     return ref.value;
 }
@@ -26,8 +26,10 @@ TP_HD Frame tangent_frame(const Surface& s, Vec3 normal) {
 }
 
 /// The shading normal after a normal map: its numbers are 2 c - 1 of the texture's.
+template <uint32_t kFeatures>
 TP_HD Vec3 mapped_normal(const SceneView& scene, int32_t texture, Real scale, const Surface& s) {
-    const Vec4 c = color_at(scene, ColorRef{{0, 0, 0}, texture}, {s.uv, s.uv1, s.point.position});
+    const Vec4 c =
+        color_at<kFeatures>(scene, ColorRef{{0, 0, 0}, texture}, texture_point<kFeatures>(s));
     const Frame frame = tangent_frame(s, s.normal);
     // The tangent frame of the front, also when seen from behind.
     const Real side = s.front ? Real(1) : Real(-1);
@@ -88,11 +90,14 @@ TP_HD void make_principled_bsdf(const SceneView& scene, const MaterialRecord& m,
         // A facet that the eye does not see stays as it is.
         const auto map = [&](int32_t texture, Real scale, Vec3& normal) {
             if (texture < 0) return;
-            const Vec3 mapped = mapped_normal(scene, texture, scale, s);
+            const Vec3 mapped = mapped_normal<kFeatures>(scene, texture, scale, s);
             if (dot(mapped, wo) > 0) normal = mapped;
         };
         map(r.normal, r.normal_scale, b.normal);
         map(r.coat_normal, r.coat_normal_scale, coat_normal);
+    }
+    if constexpr ((kFeatures & kFeatureProcedural) != 0) {
+        if (r.bump >= 0) b.normal = bumped_normal(scene, r.bump, r.bump_scale, s, b.normal, wo);
     }
     PlacedLobes& placed = b.principled;
     placed.frame = tangent_frame(s, b.normal);
@@ -102,7 +107,8 @@ TP_HD void make_principled_bsdf(const SceneView& scene, const MaterialRecord& m,
     }
     placed.tables = scene.albedo_tables;
     PrincipledParameters p = principled_parameters<kFeatures>(scene, r, color, s, channel);
-    if (r.normal >= 0 || r.coat_normal >= 0) p.coat_normal = placed.frame.to_local(coat_normal);
+    if (r.normal >= 0 || r.bump >= 0 || r.coat_normal >= 0)
+        p.coat_normal = placed.frame.to_local(coat_normal);
     placed.lobes = make_principled(p, scene.albedo_tables, placed.local_wo(wo));
 }
 

@@ -3,6 +3,7 @@
 
 #include <teapath/core/bounds.h>
 #include <teapath/core/span.h>
+#include <teapath/core/tea.h>
 #include <teapath/kernel/bvh_node.h>
 #include <teapath/kernel/hittable.h>
 #include <teapath/kernel/kinds.h>
@@ -69,6 +70,8 @@ struct PrincipledRecord {
     NumberRef sheen_roughness;
     int32_t normal = -1;  // index of the TextureRecord of a normal map
     Real normal_scale = 1;
+    int32_t bump = -1;    // index of the TextureRecord of a height
+    Real bump_scale = 0;  // scene units where it is 1
     bool thin = true;
     bool compensation = true;
 };
@@ -91,6 +94,25 @@ struct ImageRecord {
     FilterMode filter;
     Vec3 u, v;  // (u, v, 1) of the surface times these are u and v of the image
     Vec3 tint;
+    TextureProjection projection;
+    TextureSpace space;  // Triplanar: of its plane coordinates, which stand for uv
+    Real sharpness;      // Triplanar: power of the normal's parts
+};
+
+/// Two colours, or the textures in their place, that a pattern mixes (procedural.h).
+struct PatternRecord {
+    ColorRef first, second;
+    TeaKey key;  // of its noise
+    uint8_t rounds, octaves;
+    NoisePattern pattern;  // Noise
+    TextureSpace space;
+    Axis axis;    // Marble: across the layers; Wood: along the trunk
+    Real detail;  // finest features in a unit of its space
+    Vec3 scale;   // cells in a unit of its space; Brick: its width and height, the joint's
+    Real lacunarity, gain;
+    Real contrast;    // Noise; Marble: power of the veins; Wood: grain; Brick: variation
+    Real distortion;  // Marble, Wood; Brick: shift from row to row, in bricks
+    Real edge;        // Brick: share of the joint's width that merges with the brick
 };
 
 struct TextureRecord {
@@ -99,8 +121,15 @@ struct TextureRecord {
         Vec3 constant;
         CheckerRecord checker;
         ImageRecord image;
+        PatternRecord pattern;  // Noise, Marble, Wood, Brick
     };
     TP_HD_MEMBER TextureRecord() : kind(TextureKind::Constant), constant(0, 0, 0) {}
+};
+
+/// A hittable whose object has a transform, but for meshes, which have theirs in the instance.
+struct PlacementRecord {
+    uint32_t hittable;
+    Affine object_from_world;
 };
 
 /// An emitting hittable, or a triangle of one.

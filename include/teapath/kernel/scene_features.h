@@ -15,7 +15,8 @@ enum SceneFeature : uint32_t {
     kFeatureMeshes = 64,       // hittables that are meshes
     kFeaturePrincipled = 128,  // materials of many lobes
     kFeatureHiding = 256,      // hittables that some rays pass through
-    kFeatureAll = 511
+    kFeatureProcedural = 512,  // textures beyond constants, checkers, images by uv; bump maps
+    kFeatureAll = 1023
 };
 
 }  // namespace tp

@@ -11,6 +11,7 @@ struct SceneView {
     Span<const BvhNode> nodes;
     Span<const MeshView> meshes;
     Span<const InstanceRecord> instances;
+    Span<const PlacementRecord> placements;  // by growing hittable
     Span<const LightRecord> lights;
     Span<const LightNode> light_nodes;
     Span<const MaterialRecord> materials;

@@ -1,9 +1,10 @@
-// Texture look-up: constant, checker (nested without recursion), image. Filtering is ours on both
-// processors, since the hardware's bilinear weights have 8 fractional bits.
+// Texture look-up: constant, checker, image, and the patterns of procedural.h, nested without
+// recursion. Filtering is ours on both processors, since the hardware's bilinear weights have 8
+// fractional bits.
 #pragma once
 
 #include <teapath/core/color.h>
-#include <teapath/kernel/scene_view.h>
+#include <teapath/kernel/procedural.h>
 
 namespace tp {
 
@@ -47,13 +48,6 @@ TP_HD Vec4 load_texel(const SceneView& scene, const ImageRecord& image, int x, i
     return Vec4(value[0], value[1], value[2], value[3]);
 }
 
-/// Where a texture is read: texture coordinates of set 0 and 1, and the place in the world.
-struct TexturePoint {
-    Vec2 uv;
-    Vec2 uv1;
-    Vec3 position;
-};
-
 /// An image at (u, v) of the surface: texel centres at (i + 0.5) / size, v = 0 at the top row.
 TP_HD Vec4 sample_image(const SceneView& scene, const ImageRecord& image, Vec2 uv) {
     const Vec3 at{uv.x, uv.y, 1};
@@ -89,16 +83,97 @@ TP_HD bool is_even_cell(const CheckerRecord& checker, Vec2 uv, Vec3 p) {
     return cell - 2 * std::floor(cell / 2) == 0;
 }
 
+/// An image laid on from the three axes of its space, a unit of it standing for the unit square of
+/// uv; the sides are mixed by the powers of the normal's parts.
+TP_HD Vec4 sample_triplanar(const SceneView& scene, const ImageRecord& image,
+                            const TexturePoint& at) {
+    const SpacePoint point = point_in(scene, image.space, at);
+    const Vec3 n = abs(point.normal) / max(max_component(abs(point.normal)), Real(1e-30));
+    Vec4 sum(0, 0, 0, 0);
+    Real weights = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Real weight = std::pow(n[axis], image.sharpness);
+        if (!(weight > 0)) continue;
+        sum += sample_image(scene, image, plane_coordinates(point.position, point.normal, axis)) *
+               weight;
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+TP_HD Vec4 image_color(const SceneView& scene, const ImageRecord& image, const TexturePoint& at) {
+    return sample_image(scene, image, image.uv_set == 0 ? at.uv : at.uv1) * Vec4(image.tint, 1);
+}
+
+/// The colour and alpha of a texture of any kind. Those that mix two colours are walked depth
+/// first, the second colours waiting on a stack; validate() bounds it, and what would pass it takes
+/// the colour with the larger share.
+TP_HD_NOINLINE Vec4 mixed_color(const SceneView& scene, const ColorRef& first,
+                                const TexturePoint& at) {
+    struct Waiting {
+        const ColorRef* ref;
+        Real share, shade;  // of the result; of its colour
+    };
+    Waiting waiting[kMaxBlendNesting];
+    int count = 0;
+    Waiting now{&first, 1, 1};
+    Vec4 sum(0, 0, 0, 0);
+    for (;;) {
+        Vec4 leaf(now.ref->color, 1);
+        if (now.ref->texture >= 0) {
+            const TextureRecord& texture = scene.textures[static_cast<uint32_t>(now.ref->texture)];
+            switch (texture.kind) {
+                case TextureKind::Constant: leaf = Vec4(texture.constant, 1); break;
+                case TextureKind::Image:
+                    leaf = texture.image.projection == TextureProjection::Triplanar
+                               ? sample_triplanar(scene, texture.image, at) *
+                                     Vec4(texture.image.tint, 1)
+                               : image_color(scene, texture.image, at);
+                    break;
+                case TextureKind::Checker:
+                    now.ref = is_even_cell(texture.checker, at.uv, at.position)
+                                  ? &texture.checker.even
+                                  : &texture.checker.odd;
+                    continue;
+                case TextureKind::Noise:
+                case TextureKind::Marble:
+                case TextureKind::Wood:
+                case TextureKind::Brick: {
+                    const PatternRecord& r = texture.pattern;
+                    PatternMix mix = pattern_mix(scene, texture.kind, r, at);
+                    if (count == kMaxBlendNesting) mix.share = mix.share < Real(0.5) ? 0 : 1;
+                    if (mix.share >= 1) {
+                        now.ref = &r.second;
+                        continue;
+                    }
+                    if (mix.share > 0)
+                        waiting[count++] = {&r.second, now.share * mix.share, now.shade};
+                    now = {&r.first, now.share * (1 - mix.share), now.shade * mix.shade};
+                    continue;
+                }
+            }
+        }
+        sum += leaf *
+               Vec4(now.share * now.shade, now.share * now.shade, now.share * now.shade, now.share);
+        if (count == 0) return sum;
+        now = waiting[--count];
+    }
+}
+
 /// The colour and alpha of a texture. Checkers are walked down to a constant or an image; the
 /// reader refuses cycles.
+template <uint32_t kFeatures = kFeatureAll>
 TP_HD Vec4 color_at(const SceneView& scene, ColorRef ref, const TexturePoint& at) {
     while (ref.texture >= 0) {
         const TextureRecord& texture = scene.textures[static_cast<uint32_t>(ref.texture)];
-        if (texture.kind == TextureKind::Image) {
-            const ImageRecord& image = texture.image;
-            return sample_image(scene, image, image.uv_set == 0 ? at.uv : at.uv1) *
-                   Vec4(image.tint, 1);
+        if constexpr ((kFeatures & kFeatureProcedural) != 0) {
+            const bool is_simple = texture.kind == TextureKind::Constant ||
+                                   texture.kind == TextureKind::Checker ||
+                                   (texture.kind == TextureKind::Image &&
+                                    texture.image.projection == TextureProjection::Uv);
+            if (!is_simple) return mixed_color(scene, ref, at);
         }
+        if (texture.kind == TextureKind::Image) return image_color(scene, texture.image, at);
         if (texture.kind == TextureKind::Constant) return Vec4(texture.constant, 1);
         ref = is_even_cell(texture.checker, at.uv, at.position) ? texture.checker.even
                                                                 : texture.checker.odd;

@@ -43,7 +43,42 @@ struct EnumTable<TextureKind> {
     using E = TextureKind;
     static constexpr std::array rows = {EnumRow<E>{E::Constant, "constant", "Constant"},
                                         EnumRow<E>{E::Checker, "checker", "Checker"},
-                                        EnumRow<E>{E::Image, "image", "Image"}};
+                                        EnumRow<E>{E::Image, "image", "Image"},
+                                        EnumRow<E>{E::Noise, "noise", "Noise"},
+                                        EnumRow<E>{E::Marble, "marble", "Marble"},
+                                        EnumRow<E>{E::Wood, "wood", "Wood"},
+                                        EnumRow<E>{E::Brick, "brick", "Brick"}};
+};
+
+template <>
+struct EnumTable<TextureSpace> {
+    using E = TextureSpace;
+    static constexpr std::array rows = {EnumRow<E>{E::Object, "object", "Object"},
+                                        EnumRow<E>{E::World, "world", "World"},
+                                        EnumRow<E>{E::Uv, "uv", "Texture coordinates"}};
+};
+
+template <>
+struct EnumTable<TextureProjection> {
+    using E = TextureProjection;
+    static constexpr std::array rows = {EnumRow<E>{E::Uv, "uv", "Texture coordinates"},
+                                        EnumRow<E>{E::Triplanar, "triplanar", "Triplanar"}};
+};
+
+template <>
+struct EnumTable<NoisePattern> {
+    using E = NoisePattern;
+    static constexpr std::array rows = {EnumRow<E>{E::Gradient, "gradient", "Gradient noise"},
+                                        EnumRow<E>{E::Fbm, "fbm", "Fractal (fBm)"},
+                                        EnumRow<E>{E::Turbulence, "turbulence", "Turbulence"},
+                                        EnumRow<E>{E::Ridged, "ridged", "Ridged"}};
+};
+
+template <>
+struct EnumTable<Axis> {
+    using E = Axis;
+    static constexpr std::array rows = {EnumRow<E>{E::X, "x", "x"}, EnumRow<E>{E::Y, "y", "y"},
+                                        EnumRow<E>{E::Z, "z", "z"}};
 };
 
 template <>

@@ -41,6 +41,8 @@ struct PrincipledSurface {
 
     TextureId normal;  // tangent-space normal map
     double normal_scale = 1;
+    TextureId bump;            // height by its luminance
+    double bump_scale = 0.01;  // scene units of height where the luminance is 1
     bool compensation = true;  // of the energy that single scattering loses at high roughness;
                                // of rough conductors and dielectrics too
 

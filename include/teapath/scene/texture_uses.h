@@ -7,6 +7,8 @@
 
 namespace tp {
 
+struct Scene;
+
 /// The id in a slot: of a colour or a number that may come from a texture, or the slot itself.
 template <class Slot>
 auto& texture_in(Slot& slot) {
@@ -22,6 +24,43 @@ requires std::is_same_v<std::remove_const_t<AnyTexture>, Texture>
 void for_each_slot(AnyTexture& t, F&& f) {
     f("even", t.even);
     f("odd", t.odd);
+    f("low", t.low);
+    f("high", t.high);
+    f("stone", t.stone);
+    f("vein", t.vein);
+    f("early", t.early);
+    f("late", t.late);
+    f("brick", t.brick);
+    f("mortar", t.mortar);
+}
+
+/// True if `inner` stands in a slot of `outer`, or of what stands there, whatever their kinds: put
+/// into `inner`, `outer` could come to hold itself.
+bool holds(const Scene& scene, TextureId outer, TextureId inner);
+
+/// The two colours, first and second, that a texture of its kind is made of; null where it is of a
+/// kind without.
+struct TexturePair {
+    const TexturedColor* first = nullptr;
+    const TexturedColor* second = nullptr;
+};
+inline TexturePair pair_of(const Texture& t) {
+    switch (t.kind) {
+        case TextureKind::Checker: return {&t.even, &t.odd};
+        case TextureKind::Noise: return {&t.low, &t.high};
+        case TextureKind::Marble: return {&t.stone, &t.vein};
+        case TextureKind::Wood: return {&t.early, &t.late};
+        case TextureKind::Brick: return {&t.brick, &t.mortar};
+        case TextureKind::Constant:
+        case TextureKind::Image: break;
+    }
+    return {};
+}
+
+/// True if the texture mixes its two colours, so that both are looked up.
+inline bool is_blend(TextureKind kind) {
+    return kind == TextureKind::Noise || kind == TextureKind::Marble || kind == TextureKind::Wood ||
+           kind == TextureKind::Brick;
 }
 
 /// Calls f(key, slot) for each slot that a material has, of its kind or not; a slot is a
@@ -49,6 +88,7 @@ void for_each_slot(AnyMaterial& m, F&& f) {
     f("iridescence", s.iridescence);
     f("iridescence_thickness", s.iridescence_thickness);
     f("normal", s.normal);
+    f("bump", s.bump);
 }
 
 }  // namespace tp

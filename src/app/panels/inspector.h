@@ -23,6 +23,9 @@ void camera_rows(PropertyRows<Camera>& rows);
 /// Rows of the materials with those ids.
 void material_rows(PanelContext& c, const std::vector<MaterialId>& ids);
 
+/// The rows of noise, marble, wood or brick, where all have the same kind.
+void pattern_rows(PropertyRows<Texture>& rows);
+
 /// The rows of a principled surface but its colour.
 void principled_rows(PropertyRows<Material>& rows);
 

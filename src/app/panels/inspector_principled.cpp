@@ -48,6 +48,16 @@ void base_rows(PropertyRows<Material>& rows) {
         rows.number(
             {.name = "Normal scale", .help = "Exaggerates or flattens the map", .speed = 0.01},
             [](auto& m) -> auto& { return m.surface.normal_scale; });
+    slot(
+        rows, {.name = "Bump map", .help = "A texture whose luminance is a height"},
+        [](auto& m) -> auto& { return m.surface.bump; });
+    if (rows.active().surface.bump)
+        rows.number(
+            {.name = "Bump height",
+             .help = "In scene units, where the texture is white; negative: it is a depth",
+             .speed = 0.01,
+             .relative = true},
+            [](auto& m) -> auto& { return m.surface.bump_scale; });
 }
 
 void transmission_rows(PropertyRows<Material>& rows) {

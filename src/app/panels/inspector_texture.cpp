@@ -55,6 +55,20 @@ void checker_rows(PropertyRows<Texture>& rows) {
             [](auto& t) -> auto& { return t.frequency; });
 }
 
+void triplanar_rows(PropertyRows<Texture>& rows) {
+    rows.choice(
+        "Space", "Moves with the object or stays in the world; a unit of it is one image",
+        [](auto& t) -> auto& { return t.space; });
+    rows.number(
+        {.name = "Sharpness",
+         .help = "How suddenly one side gives way to the next",
+         .speed = 0.01,
+         .low = 0.1,
+         .high = 64,
+         .relative = true},
+        [](auto& t) -> auto& { return t.sharpness; });
+}
+
 void image_rows(PropertyRows<Texture>& rows) {
     const Texture& active = rows.active();
     row_image(rows.context(), "File", "Opens another image", active.file, item_of(active.id));
@@ -72,6 +86,10 @@ void image_rows(PropertyRows<Texture>& rows) {
     rows.choice(
         "Values are", "Automatic: sRGB for 8 and 16 bits, linear for float",
         [](auto& t) -> auto& { return t.color_space; });
+    rows.choice(
+        "Projection", "By texture coordinates, or from three sides at once, which needs none",
+        [](auto& t) -> auto& { return t.projection; });
+    if (rows.active().projection == TextureProjection::Triplanar) triplanar_rows(rows);
     rows.number(
         {.name = "Repeat",
          .help = "Multiplies the texture coordinates",
@@ -143,6 +161,10 @@ void texture_inspector(PanelContext& c, const std::vector<SceneItem>& items) {
                 break;
             case TextureKind::Checker: checker_rows(rows); break;
             case TextureKind::Image: image_rows(rows); break;
+            case TextureKind::Noise:
+            case TextureKind::Marble:
+            case TextureKind::Wood:
+            case TextureKind::Brick: pattern_rows(rows); break;
         }
     }
     ui::end_rows();

@@ -3,6 +3,7 @@
 #include "../theme.h"
 #include "../widgets.h"
 #include "scene_tree_parts.h"
+#include "texture_slots.h"
 
 #include <teapath/editor/scene_edits.h>
 
@@ -55,10 +56,7 @@ const char* icon_of(const Row& row, TreeSection section) {
         case ItemKind::Camera: return ICON_FA_VIDEO;
         case ItemKind::Model: return ICON_FA_CUBES;
         case ItemKind::Material: return ICON_FA_PALETTE;
-        case ItemKind::Texture:
-            return row.texture->kind == TextureKind::Checker ? ICON_FA_CHESS_BOARD
-                   : row.texture->kind == TextureKind::Image ? ICON_FA_IMAGE
-                                                             : ICON_FA_DROPLET;
+        case ItemKind::Texture: return texture_icon(row.texture->kind);
         case ItemKind::Background: break;
     }
     return ICON_FA_CLOUD_SUN;
@@ -69,7 +67,7 @@ void draw_icon(PanelContext& c, const Scene& scene, const Row& row, TreeSection 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     uint64_t picture = 0;
     if (c.ui.previews && row.material) picture = c.ui.previews->material(scene, *row.material);
-    if (c.ui.previews && row.texture) picture = c.ui.previews->image(row.texture->file.image);
+    if (c.ui.previews && row.texture) picture = c.ui.previews->texture(scene, *row.texture);
     if (picture) {
         draw->AddImageRounded(static_cast<ImTextureID>(picture), low, {low.x + size, low.y + size},
                               {0, 0}, {1, 1}, IM_COL32_WHITE, ui::px(3));

@@ -34,17 +34,17 @@ void menu_of_textures(PanelContext& c, TextureId& value, TextureId not_this, Slo
     if (!scene->textures.empty()) ImGui::Separator();
     for (const Texture& t : scene->textures) {
         ImGui::PushID(static_cast<int>(t.id.value));
-        if (t.id != not_this &&
-            ImGui::MenuItem(texture_name(*scene, t.id).c_str(), nullptr, value == t.id))
+        const bool fits = !not_this || (t.id != not_this && !holds(*scene, t.id, not_this));
+        if (fits && ImGui::MenuItem(texture_name(*scene, t.id).c_str(), nullptr, value == t.id))
             choose(t.id);
         ImGui::PopID();
     }
     ImGui::Separator();
-    if (ImGui::MenuItem(ICON_FA_CHESS_BOARD "  New checker"))
-        change.new_texture = TextureKind::Checker;
-    if (ImGui::MenuItem(ICON_FA_IMAGE "  New image")) change.new_texture = TextureKind::Image;
-    if (ImGui::MenuItem(ICON_FA_DROPLET "  New constant"))
-        change.new_texture = TextureKind::Constant;
+    for (const TextureKind kind :
+         {TextureKind::Checker, TextureKind::Image, TextureKind::Noise, TextureKind::Marble,
+          TextureKind::Wood, TextureKind::Brick, TextureKind::Constant})
+        if (ImGui::MenuItem(fmt::format("{}  New {}", texture_icon(kind), enum_name(kind)).c_str()))
+            change.new_texture = kind;
     if (value && channel) channel_items(*channel, change);
     ImGui::EndPopup();
 }
@@ -81,10 +81,23 @@ std::string texture_name(const Scene& scene, TextureId id) {
     return item_name(scene, item_of(id));
 }
 
+const char* texture_icon(TextureKind kind) {
+    switch (kind) {
+        case TextureKind::Checker: return ICON_FA_CHESS_BOARD;
+        case TextureKind::Image: return ICON_FA_IMAGE;
+        case TextureKind::Noise: return ICON_FA_CLOUD;
+        case TextureKind::Marble: return ICON_FA_WATER;
+        case TextureKind::Wood: return ICON_FA_TREE;
+        case TextureKind::Brick: return ICON_FA_BORDER_ALL;
+        case TextureKind::Constant: break;
+    }
+    return ICON_FA_DROPLET;
+}
+
 void draw_thumbnail(PanelContext& c, const Texture& t, float size) {
     const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + size, low.y + size};
     const uint64_t picture =
-        t.kind == TextureKind::Image && c.ui.previews ? c.ui.previews->image(t.file.image) : 0;
+        c.ui.previews ? c.ui.previews->texture(c.document.scene(), t) : uint64_t{0};
     if (picture) {
         ImGui::Image(static_cast<ImTextureID>(picture), {size, size});
         return;
@@ -95,7 +108,8 @@ void draw_thumbnail(PanelContext& c, const Texture& t, float size) {
         draw->AddRectFilled(a, b, ImGui::GetColorU32(ui::swatch_color(color)));
     };
     if (t.kind == TextureKind::Constant) fill(low, high, t.color);
-    if (t.kind == TextureKind::Image) fill(low, high, {0, 1, 1});  // as it is rendered
+    if (t.kind == TextureKind::Image) fill(low, high, {0, 1, 1});    // as it is rendered
+    if (is_blend(t.kind)) fill(low, high, pair_of(t).first->color);  // until it is rendered
     if (t.kind != TextureKind::Checker) return;
     const float cell = size / 4;
     for (int i = 0; i < 16; ++i) {

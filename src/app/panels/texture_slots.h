@@ -9,7 +9,11 @@ namespace tp {
 /// The texture's name for people.
 std::string texture_name(const Scene& scene, TextureId id);
 
-/// A small picture of the texture: cells and colours are drawn, an image is its thumbnail.
+/// The icon of textures of a kind.
+const char* texture_icon(TextureKind kind);
+
+/// A small picture of the texture: cells and colours are drawn, an image is its thumbnail, other
+/// patterns are rendered.
 void draw_thumbnail(PanelContext& c, const Texture& t, float size);
 
 /// What a row changed; a new texture is one edit of its own.
@@ -28,7 +32,7 @@ SlotChange row_slot(PanelContext& c, const ui::NumberRow& r, TextureId& value,
                     const TextureId& standard, bool mixed, TextureId not_this);
 
 /// The row of a slot of any kind of thing that has one. Of `r`, colours and normals use the name
-/// and the help. `not_this` is left out of the menu: no texture holds itself.
+/// and the help. `not_this` is left out of the menu, and what holds it: no texture holds itself.
 template <class Thing, class Get>
 void slot(PropertyRows<Thing>& rows, const ui::NumberRow& r, const Get& get,
           TextureId not_this = {}) {

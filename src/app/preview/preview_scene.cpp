@@ -1,6 +1,7 @@
 #include "preview_scene.h"
 
 #include <teapath/core/color.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <algorithm>
 #include <bit>
@@ -29,34 +30,76 @@ private:
     uint64_t value_ = 0xcbf29ce484222325;
 };
 
-constexpr int kMaxNesting = 64;  // of checkers, as the scene's check has it
+void add_texture(Hash& hash, const Scene& scene, TextureId id, int depth);
 
 void add_color(Hash& hash, const Scene& scene, const TexturedColor& color, int depth) {
-    const Texture* t = depth < kMaxNesting ? find(scene, color.texture) : nullptr;
-    if (!t) return hash.add(color.color);
-    hash.add(t->kind);
-    hash.add(t->color);
-    if (t->kind == TextureKind::Checker) {
-        add_color(hash, scene, t->even, depth + 1);
-        add_color(hash, scene, t->odd, depth + 1);
-        hash.add(t->mode);
-        hash.add(t->cells);
-        hash.add(t->frequency);
-    } else if (t->kind == TextureKind::Image) {
-        hash.add(reinterpret_cast<uint64_t>(t->file.image.get()));
-        hash.add(t->wrap);
-        hash.add(t->filter);
-        hash.add(t->color_space);
-        hash.add(t->repeat);
+    if (depth < kMaxTextureNesting && find(scene, color.texture))
+        add_texture(hash, scene, color.texture, depth);
+    else
+        hash.add(color.color);
+}
+
+void add_pattern(Hash& hash, const Texture& t) {
+    hash.add(t.space);
+    hash.add(t.scale);
+    hash.add(t.axis);
+    hash.add(t.pattern);
+    for (const int number : {t.seed, t.tea_rounds, t.octaves})
+        hash.add(static_cast<uint64_t>(number));
+    for (const double number : {t.lacunarity, t.gain, t.contrast, t.distortion, t.vein_power,
+                                t.grain, t.mortar_width, t.mortar_blend, t.row_offset, t.variation})
+        hash.add(number);
+    hash.add(t.brick_size);
+}
+
+void add_texture(Hash& hash, const Scene& scene, const Texture& t, int depth) {
+    hash.add(t.kind);
+    hash.add(t.color);
+    if (const TexturePair pair = pair_of(t); pair.first) {
+        add_color(hash, scene, *pair.first, depth + 1);
+        add_color(hash, scene, *pair.second, depth + 1);
+    }
+    if (is_blend(t.kind)) {
+        add_pattern(hash, t);
+    } else if (t.kind == TextureKind::Checker) {
+        hash.add(t.mode);
+        hash.add(t.cells);
+        hash.add(t.frequency);
+    } else if (t.kind == TextureKind::Image) {
+        hash.add(reinterpret_cast<uint64_t>(t.file.image.get()));
+        hash.add(t.wrap);
+        hash.add(t.filter);
+        hash.add(t.color_space);
+        hash.add(t.repeat);
+        hash.add(t.projection);
+        hash.add(t.space);
+        hash.add(t.sharpness);
     }
 }
 
-void take_texture(const Scene& from, const TexturedColor& color, Scene& to, int depth) {
-    const Texture* t = depth < kMaxNesting ? find(from, color.texture) : nullptr;
+void add_texture(Hash& hash, const Scene& scene, TextureId id, int depth) {
+    if (const Texture* t = find(scene, id)) add_texture(hash, scene, *t, depth);
+}
+
+// Everything that a slot of a surface says.
+void add_slot(Hash& hash, const Scene& scene, const TexturedColor& color) {
+    add_color(hash, scene, color, 0);
+}
+void add_slot(Hash& hash, const Scene& scene, const TexturedNumber& number) {
+    hash.add(number.value);
+    hash.add(number.channel);
+    add_texture(hash, scene, number.texture, 0);
+}
+void add_slot(Hash& hash, const Scene& scene, TextureId texture) {
+    add_texture(hash, scene, texture, 0);
+}
+
+void take_texture(const Scene& from, TextureId id, Scene& to) {
+    const Texture* t = find(from, id);
     if (!t || find(to, t->id)) return;
     to.textures.edit().push_back(*t);
-    take_texture(from, t->even, to, depth + 1);
-    take_texture(from, t->odd, to, depth + 1);
+    for_each_slot(*t,
+                  [&](const char*, const auto& slot) { take_texture(from, texture_in(slot), to); });
 }
 
 float sample_of(const Image& image, size_t index) {
@@ -93,8 +136,8 @@ Scene preview_scene(const Scene& scene, const Material& material, int size) {
 
     Material shown = material;
     shown.id = {1};
-    take_texture(scene, shown.color, made, 0);
-    take_texture(scene, shown.emission, made, 0);
+    for_each_slot(
+        shown, [&](const char*, const auto& slot) { take_texture(scene, texture_in(slot), made); });
     Texture squares;
     for (const Texture& t : made.textures)
         squares.id.value = std::max(squares.id.value, t.id.value);
@@ -126,6 +169,38 @@ Scene preview_scene(const Scene& scene, const Material& material, int size) {
     return made;
 }
 
+Scene preview_scene(const Scene& scene, const Texture& texture, int size) {
+    Scene made;
+    made.render.width = made.render.height = size;
+    made.render.path.integrator = IntegratorKind::Flat;
+    Camera camera;
+    camera.id = {1};
+    camera.projection = ProjectionKind::Orthographic;
+    camera.look_from = {0.5, 0.5, 1};
+    camera.look_at = {0.5, 0.5, 0};
+    camera.film_height = 1;
+    made.cameras = {camera};
+    take_texture(scene, texture.id, made);
+    Material shown;
+    shown.id = {1};
+    shown.alpha = AlphaMode::Opaque;
+    shown.color.texture = texture.id;
+    made.materials = {shown};
+    Object square;
+    square.id = {1};
+    square.shape = XyRectShape{{0, 0}, {1, 1}, 0};
+    square.material = shown.id;
+    made.objects = {square};
+    return made;
+}
+
+uint64_t preview_key(const Scene& scene, const Texture& texture) {
+    Hash hash;
+    hash.add(uint64_t{1});  // no material's
+    add_texture(hash, scene, texture, 0);
+    return hash.value();
+}
+
 uint64_t preview_key(const Scene& scene, const Material& m) {
     Hash hash;
     hash.add(m.kind);
@@ -142,6 +217,11 @@ uint64_t preview_key(const Scene& scene, const Material& m) {
     }
     hash.add(m.opacity);
     hash.add(m.pass_through);
+    if (m.kind == MaterialKind::Principled) {
+        for_each_slot(m, [&](const char*, const auto& slot) { add_slot(hash, scene, slot); });
+        hash.add(m.surface.normal_scale);
+        hash.add(m.surface.bump_scale);
+    }
     return hash.value();
 }
 

@@ -4,6 +4,7 @@
 
 #include <teapath/core/log.h>
 #include <teapath/render/session.h>
+#include <teapath/scene/texture_uses.h>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -14,6 +15,9 @@ namespace tp {
 namespace {
 
 constexpr size_t kMostWaiting = 64;  // what is asked for and no longer seen is asked again
+
+// Jobs are told apart by the ids of materials, and of textures beyond this.
+constexpr uint64_t kTextureOwner = uint64_t{1} << 32;
 
 // The picture that the user looks at goes first.
 void lower_priority() {
@@ -55,7 +59,7 @@ void Previews::run() {
             session->step(kSamples);
             picture.rgb = session->display();
         } catch (const std::exception& error) {
-            log_warning("no preview of a material: {}", error.what());
+            log_warning("no preview: {}", error.what());
             session.reset();
         }
         const std::lock_guard lock(mutex_);
@@ -63,14 +67,12 @@ void Previews::run() {
     }
 }
 
-uint64_t Previews::material(const Scene& scene, const Material& material) {
-    const uint64_t key = preview_key(scene, material);
+template <class Make>
+uint64_t Previews::rendered_picture(uint64_t key, uint64_t owner, const Make& make) {
     const auto [found, is_new] = entries_.try_emplace(key);
     found->second.last_used = frame_;
-    if (is_new)
-        ask(key, material.id.value,
-            std::make_shared<const Scene>(preview_scene(scene, material, kSize)));
-    uint64_t& shown = shown_[material.id.value];
+    if (is_new) ask(key, owner, std::make_shared<const Scene>(make()));
+    uint64_t& shown = shown_[owner];
     const auto now = entries_.find(key);
     if (now != entries_.end() && now->second.texture) shown = key;
     // While a value is dragged the last picture stays until there is a newer one.
@@ -80,9 +82,21 @@ uint64_t Previews::material(const Scene& scene, const Material& material) {
     return last->second.texture->id();
 }
 
-void Previews::ask(uint64_t key, uint32_t owner, std::shared_ptr<const Scene> scene) {
+uint64_t Previews::material(const Scene& scene, const Material& material) {
+    return rendered_picture(preview_key(scene, material), material.id.value,
+                            [&] { return preview_scene(scene, material, kSize); });
+}
+
+uint64_t Previews::texture(const Scene& scene, const Texture& texture) {
+    if (texture.kind == TextureKind::Image) return image(texture.file.image);
+    if (!is_blend(texture.kind)) return 0;
+    return rendered_picture(preview_key(scene, texture), texture.id.value | kTextureOwner,
+                            [&] { return preview_scene(scene, texture, kSize); });
+}
+
+void Previews::ask(uint64_t key, uint64_t owner, std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
-    // What waits for the same material is out of date; what is seen no more is asked for again.
+    // What waits for the same thing is out of date; what is seen no more is asked for again.
     std::erase_if(jobs_, [&](const Job& job) {
         if (job.owner != owner) return false;
         entries_.erase(job.key);

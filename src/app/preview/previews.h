@@ -31,6 +31,9 @@ public:
 
     /// GL texture of a material's picture; 0 while it is rendered, which this asks for.
     uint64_t material(const Scene& scene, const Material& material);
+    /// GL texture of a texture's picture: an image's thumbnail, or a pattern, which this asks for;
+    /// 0 while it is rendered, and for what the caller draws, constants and checkers.
+    uint64_t texture(const Scene& scene, const Texture& texture);
     /// GL texture of an image's thumbnail; 0 without an image.
     uint64_t image(const std::shared_ptr<const Image>& image);
 
@@ -50,7 +53,7 @@ private:
     };
     struct Job {
         uint64_t key = 0;
-        uint32_t owner = 0;  // MaterialId::value
+        uint64_t owner = 0;  // owner_of
         std::shared_ptr<const Scene> scene;
     };
     struct Picture {
@@ -58,11 +61,14 @@ private:
         std::vector<uint8_t> rgb;
     };
     void run();
-    void ask(uint64_t key, uint32_t owner, std::shared_ptr<const Scene> scene);
+    /// The picture of that key, or the owner's last one; `make` makes the scene to be rendered.
+    template <class Make>
+    uint64_t rendered_picture(uint64_t key, uint64_t owner, const Make& make);
+    void ask(uint64_t key, uint64_t owner, std::shared_ptr<const Scene> scene);
     void forget_oldest();
 
     std::unordered_map<uint64_t, Entry> entries_;
-    std::unordered_map<uint32_t, uint64_t> shown_;  // by material: the picture shown last
+    std::unordered_map<uint64_t, uint64_t> shown_;  // by owner: the picture shown last
     uint64_t frame_ = 0;
     size_t rendered_ = 0;
 

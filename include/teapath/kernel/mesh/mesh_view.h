@@ -38,6 +38,11 @@ struct Affine {
     TP_HD_MEMBER Vec3 point(Vec3 p) const { return linear * p + offset; }
 };
 
+TP_HD bool is_finite(const Affine& a) {
+    return is_finite(a.linear[0]) && is_finite(a.linear[1]) && is_finite(a.linear[2]) &&
+           is_finite(a.offset);
+}
+
 struct InstanceRecord {
     Affine world_from_object;
     Affine object_from_world;
