@@ -1,5 +1,4 @@
 #include <teapath/device/camera_record.h>
-
 #include <teapath/scene/scene.h>
 
 #include <cmath>
