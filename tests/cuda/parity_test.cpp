@@ -8,10 +8,12 @@
 
 #include <teapath/device/host_view.h>
 #include <teapath/io/scene_file.h>
+#include <teapath/render/session.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 using namespace tp;
 using namespace tp::test;
@@ -200,5 +202,27 @@ TEST_CASE("few paths part company between host and CUDA, and they agree on avera
         scene.render.width = 160;  // of the camera's rays
         scene.render.height = 120;
         check_paths(name, scene);
+    }
+}
+
+// Lanes that left the tree early once overwrote uniform registers of those still in it: some tens
+// of millions of rays among many meshes met that.
+TEST_CASE("feature planes of scenes of many meshes take many samples") {
+    if (without_device()) return;
+    for (const char* name : {"gallery/room.json", "gallery/forest.json"}) {
+        auto scene = std::make_shared<Scene>(load_scene(scene_folder() / name));
+        scene->render.width = 320;
+        scene->render.height = 180;
+        scene->render.path.seed = 1;
+        scene->render.path.max_depth = 1;
+        SessionOptions options;
+        options.backend = BackendKind::Cuda;
+        options.features = true;
+        Session session(options);
+        session.sync(scene);
+        for (const int64_t samples : {700, 1300}) {
+            session.step(samples);
+            CHECK(session.film().samples == session.samples());
+        }
     }
 }

@@ -23,6 +23,7 @@ inline constexpr uint32_t kLeafBit = 0x80000000u;
 inline constexpr uint32_t kLeafCountBits = 3;
 inline constexpr uint32_t kMaxLeafSize = 1u << kLeafCountBits;
 inline constexpr uint32_t kMaxLeafItems = 1u << (31 - kLeafCountBits);  // in all leaves of a tree
+inline constexpr uint32_t kNoLeaf = 0xffffffffu;  // the bottom of the stack: no leaf has this code
 
 /// Entries of the traversal stack. A builder makes no tree with more levels of nodes than this;
 /// a level pushes at most one entry.
@@ -53,15 +54,22 @@ inline constexpr Real kSlabGrowth = 1 + 8 * kEpsilon;
 
 /// Calls `leaf(first, last)` for the leaves that the ray may meet within `t_max`, which `leaf` may
 /// make smaller, near boxes first, until it returns true. `inverse` is 1 / direction.
+///
+/// There is one way out of each loop, at its end: lanes of a warp that leave by another run ahead,
+/// and the compiler (ptxas of CUDA 13.0) lets them overwrite uniform registers in which those that
+/// are still inside have the address of the nodes.
 template <class Leaf>
 TP_HD void visit_leaves(Span<const BvhNode> nodes, Vec3 origin, Vec3 inverse, const Real& t_max,
                         Leaf&& leaf) {
-    uint32_t stack[kMaxTreeDepth];
-    int top = 0;
+    uint32_t stack[kMaxTreeDepth + 1];
+    stack[0] = kNoLeaf;
+    int top = 1;
     uint32_t current = 0;
-    for (;;) {
+    bool is_done = false;
+    do {
         while (!(current & kLeafBit)) {
             const BvhNode& node = nodes[current];
+            const uint32_t child0 = node.child[0], child1 = node.child[1];
             Real entry0 = 0, exit0 = t_max, entry1 = 0, exit1 = t_max;
             clip_slab(node.x, origin.x, inverse.x, entry0, exit0, entry1, exit1);
             clip_slab(node.y, origin.y, inverse.y, entry0, exit0, entry1, exit1);
@@ -69,21 +77,23 @@ TP_HD void visit_leaves(Span<const BvhNode> nodes, Vec3 origin, Vec3 inverse, co
             const bool met0 = entry0 <= exit0 * kSlabGrowth, met1 = entry1 <= exit1 * kSlabGrowth;
             if (met0 && met1) {
                 const bool swap = entry1 < entry0;
-                TP_ASSERT(top < kMaxTreeDepth);
-                stack[top++] = swap ? node.child[0] : node.child[1];
-                current = swap ? node.child[1] : node.child[0];
+                TP_ASSERT(top <= kMaxTreeDepth);
+                stack[top++] = swap ? child0 : child1;
+                current = swap ? child1 : child0;
             } else if (met0 || met1) {
-                current = met0 ? node.child[0] : node.child[1];
+                current = met0 ? child0 : child1;
             } else {
-                if (top == 0) return;
                 current = stack[--top];
             }
         }
-        const uint32_t first = (current & ~kLeafBit) >> kLeafCountBits;
-        const uint32_t count = (current & (kMaxLeafSize - 1)) + 1;
-        if (leaf(first, first + count) || top == 0) return;
-        current = stack[--top];
-    }
+        is_done = current == kNoLeaf;
+        if (!is_done) {
+            const uint32_t first = (current & ~kLeafBit) >> kLeafCountBits;
+            const uint32_t count = (current & (kMaxLeafSize - 1)) + 1;
+            is_done = leaf(first, first + count);
+            current = stack[--top];
+        }
+    } while (!is_done);
 }
 
 }  // namespace tp
