@@ -213,7 +213,7 @@ struct EnumTable<ScatterRule> {
 template <>
 struct EnumTable<SamplerKind> {
     using E = SamplerKind;
-    static constexpr std::array rows = {EnumRow<E>{E::Tea, "tea", "TEA (independent)"},
+    static constexpr std::array rows = {EnumRow<E>{E::Tea, "tea", "TEA"},
                                         EnumRow<E>{E::Sobol, "sobol", "Owen-scrambled Sobol"}};
 };
 

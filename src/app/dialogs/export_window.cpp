@@ -60,7 +60,7 @@ void draw_file_row(PanelContext& c) {
     std::string text = s.file.string();
     const float button = ImGui::GetFontSize() * 5;
     ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::InputText("##file", &text)) s.file = text;
+    if (ImGui::InputText("##file", &text, ImGuiInputTextFlags_ElideLeft)) s.file = text;
     ImGui::SameLine();
     if (ImGui::Button("Choose\xe2\x80\xa6", ImVec2(button, 0))) choose_file(c);
 }

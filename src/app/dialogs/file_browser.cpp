@@ -50,7 +50,8 @@ void draw_path(FileDialog& d) {
     ImGui::SetItemTooltip("Files that begin with a dot");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputText("##folder", &d.path_text, ImGuiInputTextFlags_EnterReturnsTrue))
+    if (ImGui::InputText("##folder", &d.path_text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_ElideLeft))
         go_to(d, typed_path(d.path_text, d.folder));
 }
 

@@ -12,6 +12,8 @@
 #include <icons_font_awesome_6.h>
 
 #include <algorithm>
+#include <chrono>
+#include <future>
 #include <random>
 #include <thread>
 
@@ -81,9 +83,15 @@ void stop_rows(PropertyRows<RenderSettings>& rows) {
 }
 
 void denoise_rows(PropertyRows<RenderSettings>& rows) {
-    static const std::string missing = Denoiser::why_missing();
-    if (!missing.empty()) {
-        ui::row_text("Denoise", "not here", missing.c_str());
+    // The library is opened beside the interface: that takes longer than a frame may.
+    static const std::shared_future<std::string> missing =
+        std::async(std::launch::async, &Denoiser::why_missing).share();
+    if (missing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+        ui::row_text("Denoise", "...", "Looking for the library");
+        return;
+    }
+    if (!missing.get().empty()) {
+        ui::row_text("Denoise", "not here", missing.get().c_str());
         return;
     }
     rows.toggle(

@@ -1,4 +1,5 @@
 // What is written over the picture: figures and notices.
+#include "../viewport/projection.h"
 #include "../widgets.h"
 #include "viewport_parts.h"
 
@@ -78,8 +79,15 @@ void draw_overlay(PanelContext& c, const ViewportFrame& frame) {
               kAmber);
         y += plate_step();
     }
-    if (c.ui.viewport.view.zoom > 0)
+    if (c.ui.viewport.view.zoom > 0) {
         plate({left, y}, fmt::format("zoom {:.4g} %", 100 * frame.zoom), kText);
+        y += plate_step();
+    }
+    const bool has_handles =
+        c.ui.viewport.tool != Tool::Select && c.ui.viewport.tool != Tool::Focus;
+    if (has_handles && !c.document.selection.empty() &&
+        !keeps_lines_straight(active_camera(c.document.scene())))
+        plate({left, y}, "Panoramas show no handles", kText);
     draw_toasts(c, low, high);
 }
 
