@@ -223,6 +223,42 @@ TEST_CASE("panels: everything of the Add menu is added, selected and valid, on w
     CHECK_FALSE(place_in_view(sky).is_surface);
 }
 
+TEST_CASE("panels: a mesh of the program's own is added, and made anew by its recipe") {
+    WindowTest t;
+    const auto triangles = [&] {
+        const Object* object = find(t.scene(), t.app->document.selection.back());
+        const auto& mesh = std::get<MeshShape>(object->shape).file.mesh;
+        return mesh ? mesh->triangles.size() : 0;
+    };
+    const auto is_idle = [&] { return t.app->ui.jobs.is_idle(); };
+    t.run([&](ImGuiTestContext* ctx) { ctx->MenuClick("//##MainMenuBar/Add/###Made mesh/Torus"); });
+    REQUIRE(t.frames_until(is_idle));
+    t.frames(3);
+    REQUIRE(t.app->document.selection.size() == 1);
+    const Object added = *find(t.scene(), t.app->document.selection.back());
+    CHECK(added.name == "Torus");
+    CHECK(std::get<MeshShape>(added.shape).file.path == "procedural://torus?tube=0.25&detail=96");
+    const size_t fine = triangles();
+    CHECK(fine > 1000);
+
+    const auto type = [&](const char* recipe) {
+        t.run([&](ImGuiTestContext* ctx) {
+            ctx->ItemInput("**/##recipe");
+            ctx->KeyCharsReplaceEnter(recipe);
+        });
+        REQUIRE(t.frames_until(is_idle));
+        t.frames(3);
+    };
+    type("torus?tube=0.3&detail=24");
+    CHECK(triangles() < fine / 4);
+    const size_t steps = t.app->document.history().size();
+    type("procedural://torus?tube=hello");  // refused, with a message
+    CHECK(t.app->document.history().size() == steps);
+    CHECK(triangles() < fine / 4);
+    t.app->document.undo();
+    CHECK(triangles() == fine);
+}
+
 TEST_CASE("panels: every kind of thing has an inspector that can be drawn") {
     Scene scene = small_scene();
     add_sphere_grid(scene, {0, 0, 0});

@@ -44,6 +44,10 @@ void ask_for_image(PanelContext& c, SceneItem owner, const std::string& present)
 void open_model(PanelContext& c, const std::filesystem::path& file);
 /// Asks for a model to add.
 void ask_for_model(PanelContext& c);
+/// Makes a procedural mesh ("procedural://knot?p=2"), and in a later frame adds it, placed in view.
+void make_mesh(PanelContext& c, const std::string& recipe, const std::string& label);
+/// Makes it, and in a later frame these objects have it in place of the mesh that they had.
+void change_mesh(PanelContext& c, const std::vector<ObjectId>& objects, const std::string& recipe);
 /// Options of a reading in a job: it shows how far it is, and can be cancelled.
 ModelReadOptions reading_in(JobControl& control);
 

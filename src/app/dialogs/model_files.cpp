@@ -8,11 +8,13 @@
 #include <teapath/editor/scene_edits.h>
 #include <teapath/io/mesh_file.h>
 #include <teapath/io/scene_file.h>
+#include <teapath/scene/procedural_mesh.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace tp {
 namespace {
@@ -35,13 +37,14 @@ Transform placed_in_view(const Scene& scene, const Double3& low, const Double3& 
     return t;
 }
 
-void add_mesh(PanelContext& c, const fs::path& file, const std::shared_ptr<const Mesh>& mesh) {
+// `path` is the mesh's in the scene.
+void add_mesh(PanelContext& c, const std::string& path, const std::string& name,
+              const std::shared_ptr<const Mesh>& mesh) {
     ObjectId made;
-    const std::string name = file.stem().string();
     c.document.edit(fmt::format("Add {}", name), "", [&](Scene& s) {
         const Transform transform = placed_in_view(s, Double3(mesh->low), Double3(mesh->high));
         ShapeKind kind = shape_kinds().back();
-        kind.shape = MeshShape{{path_in_scene(s, file), mesh}, true, DoubleMat3(1)};
+        kind.shape = MeshShape{{path, mesh}, true, DoubleMat3(1)};
         made = add_object(s, kind, transform.translation, 1);
         Object* object = find_object(s, made);
         object->transform = transform;
@@ -49,7 +52,7 @@ void add_mesh(PanelContext& c, const fs::path& file, const std::shared_ptr<const
         rename_item(s, item_of(made), name);
     });
     c.document.select(made);
-    c.toast(fmt::format("{}: {} triangles", file.filename().string(), mesh->triangles.size()));
+    c.toast(fmt::format("{}: {} triangles", name, mesh->triangles.size()));
 }
 
 // The models' objects are part of the scene from here on; its cameras follow those that are there.
@@ -83,7 +86,20 @@ void read_mesh_then_add(PanelContext& c, const fs::path& file) {
     options.title = fmt::format("Reading {}", file.filename().string());
     c.ui.jobs.start(std::move(options), [file](JobControl&) -> JobFinish {
         const std::shared_ptr<const Mesh> mesh = share(read_mesh(file));
-        return [file, mesh](PanelContext& p) { add_mesh(p, file, mesh); };
+        return [file, mesh](PanelContext& p) {
+            add_mesh(p, path_in_scene(p.document.scene(), file), file.stem().string(), mesh);
+        };
+    });
+}
+
+// Makes the mesh of a recipe in a job, then does `then` with it.
+void make_mesh_then(PanelContext& c, const std::string& recipe,
+                    std::function<void(PanelContext&, const std::shared_ptr<const Mesh>&)> then) {
+    JobOptions options;
+    options.title = "Making a mesh";
+    c.ui.jobs.start(std::move(options), [recipe, then](JobControl&) -> JobFinish {
+        const std::shared_ptr<const Mesh> mesh = share(procedural_mesh(recipe));
+        return [then, mesh](PanelContext& p) { then(p, mesh); };
     });
 }
 
@@ -111,6 +127,23 @@ void open_model(PanelContext& c, const fs::path& file) {
         const Model model = load_model(file, reading_in(control));
         if (control.is_cancelled()) return nullptr;
         return [file, model](PanelContext& p) { add_model_in_view(p, file, model); };
+    });
+}
+
+void make_mesh(PanelContext& c, const std::string& recipe, const std::string& label) {
+    make_mesh_then(c, recipe, [recipe, label](PanelContext& p, const auto& mesh) {
+        add_mesh(p, recipe, label, mesh);
+    });
+}
+
+void change_mesh(PanelContext& c, const std::vector<ObjectId>& objects, const std::string& recipe) {
+    make_mesh_then(c, recipe, [recipe, objects](PanelContext& p, const auto& mesh) {
+        p.document.edit("Change mesh", "", [&](Scene& s) {
+            for (const ObjectId id : objects)
+                if (Object* object = find_object(s, id))
+                    if (auto* shape = std::get_if<MeshShape>(&object->shape))
+                        shape->file = {recipe, mesh};
+        });
     });
 }
 

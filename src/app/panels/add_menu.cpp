@@ -6,6 +6,7 @@
 
 #include <teapath/editor/material_presets.h>
 #include <teapath/scene/enum_tables.h>
+#include <teapath/scene/procedural_mesh.h>
 
 #include <fmt/format.h>
 #include <icons_font_awesome_6.h>
@@ -66,6 +67,18 @@ const char* icon_of(const Shape& shape) {
     }
 }
 
+// The meshes that the program makes itself, with their parameters as the inspector shows them.
+void add_mesh_items(PanelContext& c) {
+    for (const ProceduralKind& kind : procedural_kinds()) {
+        if (!ImGui::MenuItem(kind.label)) continue;
+        const std::string_view parameters = kind.parameters;
+        make_mesh(c,
+                  fmt::format("procedural://{}{}{}", kind.name, parameters.empty() ? "" : "?",
+                              parameters),
+                  kind.label);
+    }
+}
+
 void add_new_material(PanelContext& c, const Material& like) {
     MaterialId made;
     c.document.edit("Add material", "", [&](Scene& s) { made = tp::add_material(s, like); });
@@ -90,6 +103,10 @@ void add_object_items(PanelContext& c) {
     ImGui::Separator();
     if (ImGui::MenuItem(ICON_FA_SHAPES "  Model from a file\xe2\x80\xa6###Model from a file"))
         ask_for_model(c);
+    if (ImGui::BeginMenu(ICON_FA_CUBES "  Made mesh###Made mesh")) {
+        add_mesh_items(c);
+        ImGui::EndMenu();
+    }
     if (ImGui::MenuItem(ICON_FA_TABLE_CELLS "  Sphere grid###Sphere grid")) {
         GeneratorId made;
         const Place place = place_in_view(c.document.scene());

@@ -1,7 +1,15 @@
 // Rows of the shapes of objects.
+#include "../dialogs/dialogs.h"
 #include "inspector.h"
 
+#include <teapath/scene/procedural_mesh.h>
+
 #include <fmt/format.h>
+#include <imgui_stdlib.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace tp {
 namespace {
@@ -50,6 +58,23 @@ void axis_rect_rows(PropertyRows<Object>& rows, const char* low, const char* hig
     });
 }
 
+// What a mesh is made of, to be typed; all that are selected get it.
+void recipe_row(PropertyRows<Object>& rows, const std::string& path) {
+    constexpr std::string_view kScheme = "procedural://";  // which nobody needs to read
+    ui::begin_row("Recipe", "What the program makes the mesh of; Enter makes it anew");
+    ImGui::SetNextItemWidth(-1);
+    std::string text = path.substr(kScheme.size());
+    const bool is_entered =
+        ImGui::InputText("##recipe", &text, ImGuiInputTextFlags_EnterReturnsTrue);
+    ui::tooltip(text.c_str());
+    if (!is_procedural(text)) text = std::string(kScheme) + text;
+    if (!is_entered || text == path) return;
+    std::vector<ObjectId> ids;
+    for (const Object* object : rows.things())
+        ids.push_back(object->id);
+    change_mesh(rows.context(), ids, text);
+}
+
 struct ShapeRows {
     PropertyRows<Object>& rows;
 
@@ -90,7 +115,10 @@ struct ShapeRows {
         rows.number(point("C", "Third corner"), member(&TriangleShape::c));
     }
     void operator()(const MeshShape& m) const {
-        ui::row_text("File", m.file.path, "Where the triangles come from");
+        if (is_procedural(m.file.path))
+            recipe_row(rows, m.file.path);
+        else
+            ui::row_text("File", m.file.path, "Where the triangles come from");
         if (const Mesh* mesh = m.file.mesh.get())
             ui::row_text(
                 "Triangles",
